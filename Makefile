@@ -1,0 +1,81 @@
+# Zero-shimmy regions of an aircraft main landing gear with AUTO-07p.
+#   make          every figure and the table of paper against computed values
+#   make test     every test
+#   make help     the other targets
+# AUTO_DIR=/path uses an AUTO-07p that is there; AUTO_TARBALL=file builds from
+# that tarball; otherwise AUTO is fetched and built in build/auto.
+
+CFLAGS = -O2 -std=c11 -Wall -Wextra -Wpedantic -Werror
+TEST_CFLAGS = -O1 -g -std=c11 -Wall -Wextra -Wpedantic -Werror -fsanitize=address,undefined \
+              -fno-sanitize-recover=all
+SHELL = /bin/bash
+export MLG_BUILT = yes
+
+# A layout is a models/ file that ends by including plugin.h.
+layouts := $(patsubst models/%.c,%,$(shell grep -l '^#include "plugin.h"' models/*.c))
+models := $(layouts:%=build/models/%.exe) build/bin/constants
+goals := $(or $(MAKECMDGOALS),figures)
+
+.PHONY: figures models fig06 fig07 targets test check-scripts setup clean distclean help always
+
+figures: fig06 fig07 ## every figure and the table of paper against computed values
+	@scripts/targets.sh
+
+models: $(models) ## the layouts as AUTO executables, build/models/*.exe
+
+setup: build/auto.mk ## packages and AUTO only
+
+# --- AUTO-07p and the models ------------------------------------------------
+# build/auto.mk says where AUTO is.  Including it makes it: make then starts
+# over with what it says.
+ifneq ($(filter-out help clean distclean,$(goals)),)
+include build/auto.mk
+endif
+
+build/auto.mk: always
+	@scripts/setup.sh $(if $(filter test,$(goals)),test,figures)
+	@scripts/build-auto.sh
+
+build/models/%.o: models/%.c build/auto.mk Makefile
+	@mkdir -p $(@D)
+	@echo "  $< -> build/models/$*.exe"
+	@$(CC) $(CFLAGS) -MMD -MP -isystem $(AUTO_INCLUDE) -c $< -o $@
+
+build/models/%.exe: build/models/%.o
+	@$(AUTO_FC) $< $(AUTO_LINK) -o $@
+
+build/bin/constants: scripts/constants.c models/mlg.h Makefile
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) $< -lm -o $@
+
+-include $(wildcard build/models/*.d build/tests/*.d)
+.SECONDARY:
+
+# --- figures: runs side by side, then tables, then the picture ---------------
+# A run remakes itself only when its inputs changed, so these targets are
+# always asked and seldom work.
+fig06_runs := $(addprefix fig06.,a b c)
+fig07_runs := $(addprefix fig07.,hopf torus_psi_up torus_psi_down torus_delta)
+.PHONY: $(fig06_runs) $(fig07_runs)
+
+$(fig06_runs) $(fig07_runs): $(models)
+	@scripts/$(basename $@).sh runs $(subst .,,$(suffix $@))
+fig07.hopf: fig06.a fig06.c
+fig07.torus_psi_up fig07.torus_psi_down fig07.torus_delta: fig06.a
+
+fig06: $(fig06_runs) ## Figure 6: one-parameter diagrams in V, layout L1
+fig07: $(fig07_runs) ## Figure 7: the (V, c_d) plane, layout L1
+fig06 fig07:
+	@scripts/$@.sh tables
+	@scripts/$@.sh draw
+
+clean: ## the runs and the models; AUTO and its tarball stay
+	rm -rf build/runs build/tables build/models build/bin build/tests
+
+distclean: ## everything that was built
+	rm -rf build
+
+help: ## this list
+	@awk -F ':.*## ' '/^[a-z0-9_-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' Makefile
+
+always:

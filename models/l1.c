@@ -1,0 +1,24 @@
+/* l1.c - layout L1: the shimmy damper (paper Section 3.1, Fig. 3(b))
+ *
+ *              k_psi         +--[ k_d ]--+
+ *   wheels ---/\/\/\/---o----+           +---- strut
+ *     psi              eps   +--[ c_d ]--+
+ *
+ *   T_d = k_psi (psi - eps) = k_d eps + c_d eps'                          (4)
+ *
+ * State   eps   twist across k_d and c_d, rad
+ */
+#include "mlg.h"
+
+enum { EPS = GEAR_STATES, NDIM };
+
+/* Torque T_d, N m, that the device takes from the wheels, and du[EPS]. */
+static double device(const double par[], const double u[], double du[])
+{
+  const double T_d = par[PAR_K_PSI] * (u[PSI] - u[EPS]);
+
+  du[EPS] = (T_d - par[PAR_K_D] * u[EPS]) / mlg_damper(par[PAR_C_D]);
+  return T_d;
+}
+
+#include "plugin.h"

@@ -1,0 +1,274 @@
+/* mlg.h - the dual-wheel main landing gear (MLG) and its tyres
+ *
+ * Equations of Li, Howcroft, Neild and Jiang, "Using continuation analysis to
+ * identify shimmy-suppression devices for an aircraft main landing gear",
+ * J. Sound Vib. 408 (2017) 234-251; equation numbers in brackets are theirs.
+ * The printed appendix carries misprints; what stands here is derived from
+ * Eqs (1)-(24) and (31), and docs/model.md lists every deviation once.
+ *
+ * SI units and radians throughout.  Header only: a layout file includes it
+ * and adds its device (see l1.c), so that AUTO's own commands build a layout
+ * without knowing anything of this project.
+ *
+ *                B  (strut, rake phi)          seen from behind
+ *                |\                               B
+ *         l_delta| \ zeta                         |) delta   bending
+ *                |  \                             |
+ *                C---                        L ===C=== R     a: track width
+ *              e (caster), psi: torsion      lambda_L  lambda_R
+ *   --> V      R: tyre radius                (tyre deflections at the
+ *                                             leading contact points)
+ */
+#ifndef MLG_H
+#define MLG_H
+
+#include <math.h>
+
+/* Parameters: AUTO's PAR(slot).  Slots 10 to 14 belong to AUTO (PAR(11) is the
+ * period, PAR(12) the torus angle).  The name is the one in parnames of every
+ * constants file.  The value is the default; those of the gear are Table 1
+ * with the two values its rounding hides (phi, M; docs/model.md), and
+ * constants/gear.printed holds the two as printed.
+ *   range: '+' positive, '0' positive or zero, '*' any finite number */
+#define MLG_PARAMETERS(X)                                                      \
+  /* slot id       name       unit         value   range meaning */            \
+  X( 1, V,       "V",       "m/s",            1.0, '0', "forward speed")       \
+  X( 2, C_D,     "c_d",     "N m s/rad",    3.6e4, '0', "device damping")      \
+  X( 3, K_S,     "k_s",     "N m/rad",  MLG_RIGID, '+', "device series stiffness") \
+  X( 4, B,       "b",       "N m s^2/rad",    0.0, '0', "device inertance")    \
+  X( 5, K_D,     "k_d",     "N m/rad",     1.09e5, '+', "device stiffness")    \
+  X( 6, K_PSI,   "k_psi",   "N m/rad",      3.8e5, '+', "torsional stiffness of the torque links") \
+  X( 7, C_PSI,   "c_psi",   "N m s/rad",    300.0, '0', "torsional damping of the wheel assembly") \
+  X( 8, K_DELTA, "k_delta", "N m/rad",      6.1e6, '+', "lateral stiffness of the strut") \
+  X( 9, C_DELTA, "c_delta", "N m s/rad",    300.0, '0', "lateral damping of the strut") \
+  X(15, A,       "a",       "m",              0.5, '+', "track width")         \
+  X(16, E,       "e",       "m",             0.12, '*', "caster length")       \
+  X(17, L_DELTA, "l_delta", "m",             0.75, '+', "radius of lateral bending, B to C") \
+  X(18, L_D,     "l_D",     "m",             0.72, '+', "distance from B to the centre of gravity D") \
+  X(19, M_D,     "m_D",     "kg",           500.0, '+', "mass of the bending part") \
+  X(20, J_XI,    "J_xi",    "kg m^2",       200.0, '+', "moment of inertia at D, axis xi") \
+  X(21, J_ETA,   "J_eta",   "kg m^2",       250.0, '+', "moment of inertia at D, axis eta") \
+  X(22, J_ZETA,  "J_zeta",  "kg m^2",       100.0, '+', "moment of inertia at D, axis zeta") \
+  X(23, PHI,     "phi",     "rad",   MLG_PI / 60., '*', "rake angle, 3 degrees") \
+  X(24, H,       "h",       "m",              0.1, '+', "half of the contact patch length") \
+  X(25, K_T,     "k_t",     "N/m",          7.0e5, '+', "tyre vertical stiffness") \
+  X(26, K_ALPHA, "k_alpha", "m",              1.0, '0', "tyre self-aligning coefficient") \
+  X(27, K_LAMBDA,"k_lambda","1/rad",        0.002, '0', "tyre restoring coefficient") \
+  X(28, L,       "l",       "m",              0.3, '+', "relaxation length")   \
+  X(29, R,       "R",       "m",            0.362, '+', "tyre unloaded radius") \
+  X(30, ALPHA_M, "alpha_m", "rad",         0.1745, '+', "maximum slip angle")  \
+  X(31, G,       "g",       "m/s^2",         9.81, '+', "gravitational constant") \
+  X(32, M,       "M",       "kg", 200e3/9.81-500., '0', "mass above B: (M + m_D) g = 200 kN")
+
+/* Results that pvls computes at every point; list them in ICP to see them. */
+#define MLG_RESULTS(X)                                                         \
+  /* slot id          name          unit  meaning */                           \
+  X(33, PSI_MAX,    "psi_max",    "deg", "maximum of psi over the period")     \
+  X(34, DSTAR_MAX,  "dstar_max",  "m",   "maximum of delta* = l_delta delta over the period") \
+  X(35, TORUS,      "torus",      "-",   "largest |mu| - 1 of the complex Floquet multipliers") \
+  X(36, F_Z,        "F_z",        "N",   "static load (M + m_D) g")
+
+#define MLG_PI 3.14159265358979323846
+#define MLG_RIGID 1e30 /* a stiffness that does not give: its compliance is 0 to rounding */
+
+/* PAR_V, PAR_C_D, ...: indices into par[], C's counting of AUTO's slots. */
+enum mlg_slot {
+#define X(slot, id, name, unit, value, range, meaning) PAR_##id = (slot) - 1,
+  MLG_PARAMETERS(X)
+#undef X
+#define X(slot, id, name, unit, meaning) PAR_##id = (slot) - 1,
+  MLG_RESULTS(X)
+#undef X
+  PAR_PERIOD = 11 - 1 /* AUTO's */
+};
+
+/* States of the gear; a layout appends those of its device. */
+enum mlg_state {
+  DELTA,    /* bending angle of the strut, rad */
+  DDELTA,   /* its rate, rad/s */
+  PSI,      /* torsion angle of the wheel assembly, rad */
+  DPSI,     /* its rate, rad/s */
+  LAMBDA_L, /* lateral deflection of the left tyre at its leading point, m */
+  LAMBDA_R, /* right */
+  GEAR_STATES
+};
+
+/* The verified parameters of the paper into par[36]; results and AUTO's slots
+ * are left alone. */
+static inline void mlg_defaults(double par[])
+{
+#define X(slot, id, name, unit, value, range, meaning) par[PAR_##id] = (value);
+  MLG_PARAMETERS(X)
+#undef X
+}
+
+/* The device damping to divide by.  A damper of 0 lets its spring follow at
+ * once; a millionth of N m s/rad does so 1e10 times faster than shimmy. */
+static inline double mlg_damper(double c_d)
+{
+  const double least = 1e-6;
+
+  return fabs(c_d) < least ? least : c_d;
+}
+
+/* Self-aligning moment per vertical force, m (26). */
+static inline double mlg_self_aligning(const double par[], double lambda)
+{
+  const double alpha_m = par[PAR_ALPHA_M];
+  const double alpha = atan(lambda / par[PAR_L]);
+
+  if (fabs(alpha) > alpha_m)
+    return 0.;
+  return par[PAR_K_ALPHA] * alpha_m / MLG_PI * sin(alpha * MLG_PI / alpha_m);
+}
+
+/* Lateral force per vertical force (25). */
+static inline double mlg_restoring(const double par[], double lambda)
+{
+  const double t = atan(7. * lambda / par[PAR_L]); /* tan(alpha) = lambda / l */
+
+  return par[PAR_K_LAMBDA] * t * cos(0.95 * t);
+}
+
+/* What both wheels share of the position and speed of the gear. */
+struct mlg_pose {
+  double s, c;                     /* sin phi, cos phi */
+  double sin_delta, cos_delta, sin_psi, cos_psi;
+  double sin_theta, cos_theta;     /* heading of the wheels, theta (14) */
+  double dtheta;                   /* its rate, rad/s */
+  double mu;                       /* roll of the axle (16), rad */
+};
+
+static inline struct mlg_pose mlg_pose(const double par[], const double u[])
+{
+  struct mlg_pose p = {
+    .s = sin(par[PAR_PHI]), .c = cos(par[PAR_PHI]),
+    .sin_delta = sin(u[DELTA]), .cos_delta = cos(u[DELTA]),
+    .sin_psi = sin(u[PSI]), .cos_psi = cos(u[PSI]),
+  };
+  const double theta = u[PSI] * p.c * p.cos_delta;
+
+  p.sin_theta = sin(theta);
+  p.cos_theta = cos(theta);
+  p.dtheta = p.c * (u[DPSI] * p.cos_delta - u[PSI] * p.sin_delta * u[DDELTA]);
+  /* the argument is a component of a unit vector: only rounding can carry it past 1 */
+  p.mu = asin(fmax(-1., fmin(1., p.s * p.sin_psi + p.c * p.sin_delta * p.cos_psi)));
+  return p;
+}
+
+/* Ground contact of one wheel.  Its vertical force F_z depends on the
+ * accelerations: F_z = F_0 + F_delta delta'' + F_psi psi''. */
+struct mlg_contact {
+  double x_delta, y_delta, z_delta; /* d(contact point)/d delta, m/rad */
+  double x_psi, y_psi, z_psi;       /* d(contact point)/d psi, m/rad */
+  double ddzB;                      /* zB'' but for its terms in delta'' and psi'', m/s^2 */
+  double F_0, F_delta, F_psi;       /* N, N s^2/rad, N s^2/rad */
+  double Q_delta, Q_psi;            /* generalised force per F_z, N_5 of (32), (33), m */
+};
+
+/* side = -1 left, +1 right; lambda is that tyre's deflection. */
+static inline struct mlg_contact mlg_contact(const double par[], const double u[],
+                                             const struct mlg_pose *p, double side, double lambda)
+{
+  const double a = par[PAR_A], e = par[PAR_E], l_delta = par[PAR_L_DELTA], l_D = par[PAR_L_D];
+  const double m_D = par[PAR_M_D], R = par[PAR_R], k_t = par[PAR_K_T], g = par[PAR_G];
+  const double M = par[PAR_M], ddelta = u[DDELTA], dpsi = u[DPSI];
+  const double s = p->s, c = p->c, sin_delta = p->sin_delta, cos_delta = p->cos_delta;
+  const double sin_theta = p->sin_theta, cos_theta = p->cos_theta;
+  struct mlg_contact w;
+
+  /* The contact point (18) is Q E1 + P E2 + Z E3 on axes that bend with delta
+   * but do not turn with psi: E1 = (c, 0, -s), E2 = (s sin, cos, c sin)(delta),
+   * E3 = (s cos, -sin, c cos)(delta); H of (6) is these turned by psi.  Hence
+   * dE2/d delta = E3, dE3/d delta = -E2, dQ/d psi = -P, dP/d psi = Q.  R_i is
+   * held in these derivatives. */
+  const double d = side * a * p->mu / 2.; /* tyre deflection */
+  const double R_i = R - 0.2 * d;         /* (19) */
+  const double X = -(e + R_i * s), Y = side * a / 2., Z = l_delta + R_i * c;
+  const double P = X * p->sin_psi + Y * p->cos_psi;
+  const double Q = X * p->cos_psi - Y * p->sin_psi;
+
+  w.x_delta = s * (P * cos_delta - Z * sin_delta);
+  w.y_delta = -P * sin_delta - Z * cos_delta;
+  w.z_delta = c * (P * cos_delta - Z * sin_delta);
+  w.x_psi = Q * s * sin_delta - P * c;
+  w.y_psi = Q * cos_delta;
+  w.z_psi = Q * c * sin_delta + P * s;
+
+  /* ground contact (23), (24), differentiated in time */
+  const double z_delta_delta = -c * (P * sin_delta + Z * cos_delta);
+  const double z_delta_psi = c * Q * cos_delta;
+  const double z_psi_psi = Q * s - P * c * sin_delta;
+  w.ddzB = z_delta_delta * ddelta * ddelta + 2. * z_delta_psi * ddelta * dpsi
+           + z_psi_psi * dpsi * dpsi;
+
+  /* vertical force (34)-(36), its term N12_z delta'' kept */
+  w.F_0 = 0.5 * (side * a * p->mu * k_t + m_D * w.ddzB
+                 + m_D * l_D * c * cos_delta * ddelta * ddelta + (m_D + M) * g);
+  w.F_delta = 0.5 * m_D * (w.z_delta + l_D * c * sin_delta);
+  w.F_psi = 0.5 * m_D * w.z_psi;
+
+  /* tyre forces (14), (17) along delta and psi (21) */
+  const double Lambda = mlg_restoring(par, lambda);
+  const double C = mlg_self_aligning(par, lambda);
+  w.Q_delta = Lambda * (sin_theta * w.x_delta - cos_theta * w.y_delta) + w.z_delta - C * s;
+  w.Q_psi = Lambda * (sin_theta * w.x_psi - cos_theta * w.y_psi) + w.z_psi + C * c * cos_delta;
+  return w;
+}
+
+/* Rate of a tyre's deflection, m/s: stretched string (31). */
+static inline double mlg_stretched_string(const double par[], const double u[],
+                                          const struct mlg_pose *p, const struct mlg_contact *w,
+                                          double lambda)
+{
+  const double v_X = par[PAR_V] + w->x_delta * u[DDELTA] + w->x_psi * u[DPSI];
+  const double v_Y = w->y_delta * u[DDELTA] + w->y_psi * u[DPSI];
+  const double slope = lambda / par[PAR_L];
+
+  return v_X * (p->sin_theta - slope * p->cos_theta) - v_Y * (p->cos_theta + slope * p->sin_theta)
+         - (par[PAR_H] - slope * lambda) * p->dtheta;
+}
+
+/* Time derivatives of the gear's states, du[DELTA] to du[LAMBDA_R], when the
+ * device takes the torque T_d (N m) from the wheels: (31)-(36). */
+static inline void mlg_gear(const double par[], const double u[], double T_d, double du[])
+{
+  const double l_D = par[PAR_L_D], m_D = par[PAR_M_D], J_eta = par[PAR_J_ETA];
+  const double J_skew = par[PAR_J_XI] - J_eta;
+  const double ddelta = u[DDELTA], dpsi = u[DPSI];
+  const struct mlg_pose p = mlg_pose(par, u);
+  const struct mlg_contact wheel[2] = {
+    mlg_contact(par, u, &p, -1., u[LAMBDA_L]),
+    mlg_contact(par, u, &p, +1., u[LAMBDA_R]),
+  };
+  const double N12 = m_D * l_D * p.c * p.sin_delta;
+
+  /* (32) and (33) as M11 delta'' + M12 psi'' = b1, M21 delta'' + M22 psi'' = b2;
+   * zB'' in (32) is the mean of the two wheels' */
+  double M11 = J_eta + J_skew * p.cos_psi * p.cos_psi + m_D * l_D * l_D, M12 = 0.;
+  double M21 = 0., M22 = par[PAR_J_ZETA];
+  double b1 = 2. * J_skew * p.cos_psi * p.sin_psi * ddelta * dpsi - par[PAR_C_DELTA] * ddelta
+              - par[PAR_K_DELTA] * u[DELTA] - l_D * m_D * par[PAR_G] * p.sin_delta * p.c;
+  double b2 = -J_skew * p.cos_psi * p.sin_psi * ddelta * ddelta - par[PAR_C_PSI] * dpsi - T_d;
+
+  for (int i = 0; i < 2; i++) {
+    const struct mlg_contact *w = &wheel[i];
+
+    M11 += 0.5 * N12 * w->z_delta + w->F_delta * w->Q_delta;
+    M12 += 0.5 * N12 * w->z_psi + w->F_psi * w->Q_delta;
+    M21 += w->F_delta * w->Q_psi;
+    M22 += w->F_psi * w->Q_psi;
+    b1 -= 0.5 * N12 * w->ddzB + w->F_0 * w->Q_delta;
+    b2 -= w->F_0 * w->Q_psi;
+  }
+  const double det = M11 * M22 - M12 * M21;
+
+  du[DELTA] = ddelta;
+  du[DDELTA] = (M22 * b1 - M12 * b2) / det;
+  du[PSI] = dpsi;
+  du[DPSI] = (M11 * b2 - M21 * b1) / det;
+  du[LAMBDA_L] = mlg_stretched_string(par, u, &p, &wheel[0], u[LAMBDA_L]);
+  du[LAMBDA_R] = mlg_stretched_string(par, u, &p, &wheel[1], u[LAMBDA_R]);
+}
+
+#endif

@@ -1,0 +1,186 @@
+/* plugin.h - what AUTO-07p wants around a device: func, stpnt, pvls
+ *
+ * Included at the end of a layout file, which has included mlg.h and defined
+ * NDIM (its number of states) and device().  AUTO's header comes last on
+ * purpose: its macros fabs, min and max must not reach the equations.
+ */
+#ifndef MLG_PLUGIN_H
+#define MLG_PLUGIN_H
+
+#include "auto_f2c.h"
+
+/* AUTO's own: the monodromy matrix of the orbit at hand is -P1^-1 P0. */
+extern void getmdmx_(const integer *ndim, double *P0, double *P1, int *known);
+/* LAPACK, which AUTO carries: eigenvalues of the pencil (A, B). */
+extern void dggev_(const char *jobvl, const char *jobvr, const integer *n, double *A,
+                   const integer *lda, double *B, const integer *ldb, double *alpha_re,
+                   double *alpha_im, double *beta, double *vl, const integer *ldvl, double *vr,
+                   const integer *ldvr, double *work, const integer *lwork, integer *info,
+                   size_t len_jobvl, size_t len_jobvr);
+
+/* Ends the run when a parameter that is divided by has a value that would
+ * silently detach the device or turn everything into NaN. */
+static void refuse_unusable(const double par[])
+{
+  static const struct { int slot; const char *name, *right; } divisor[] = {
+    { PAR_K_S, "k_s", "a stiffness above 0 (0 would detach the device; 1e30 is rigid)" },
+    { PAR_K_PSI, "k_psi", "a stiffness above 0 (0 would detach the device; 1e30 is rigid)" },
+    { PAR_L, "l", "a relaxation length above 0 m" },
+    { PAR_ALPHA_M, "alpha_m", "a slip angle above 0 rad" },
+  };
+
+  for (size_t i = 0; i < sizeof divisor / sizeof *divisor; i++)
+    if (!(par[divisor[i].slot] > 0.)) {
+      fprintf(stderr, "PAR(%d) %s = %g: not %s\n", divisor[i].slot + 1, divisor[i].name,
+              par[divisor[i].slot], divisor[i].right);
+      exit(2);
+    }
+}
+
+/* f = u' for states u[NDIM] (AUTO calls them ndim of its own). */
+static void right_hand_side(const double par[], const double u[], double f[])
+{
+  mlg_gear(par, u, device(par, u, f), f);
+}
+
+/* dfdu[j * NDIM + i] = d f_i / d u_j by differences of fourth order, exact to
+ * about 1e-11; AUTO's own reach 1e-9.  A torus curve needs that: AUTO differences
+ * this matrix once more there, with a step of 1e-7. */
+static void jacobian(const double par[], const double u[], double dfdu[])
+{
+  const double h = 1e-4; /* rad, rad/s, m: small against every scale of the gear */
+  double v[NDIM], near[2][NDIM], far[2][NDIM];
+
+  memcpy(v, u, sizeof v);
+  for (int j = 0; j < NDIM; j++) {
+    for (int side = 0; side < 2; side++) {
+      v[j] = u[j] + (side ? h : -h);
+      right_hand_side(par, v, near[side]);
+      v[j] = u[j] + (side ? 2. * h : -2. * h);
+      right_hand_side(par, v, far[side]);
+    }
+    v[j] = u[j];
+    for (int i = 0; i < NDIM; i++)
+      dfdu[j * NDIM + i] = (8. * (near[1][i] - near[0][i]) - (far[1][i] - far[0][i])) / (12. * h);
+  }
+}
+
+/* Right-hand side and, for JAC=-1, its derivatives with respect to the states
+ * (AUTO's FUNC); those with respect to parameters are left to AUTO. */
+int func(integer ndim, const doublereal *u, const integer *icp, const doublereal *par,
+         integer ijac, doublereal *f, doublereal *dfdu, doublereal *dfdp)
+{
+  (void)ndim, (void)icp, (void)dfdp;
+  refuse_unusable(par);
+  right_hand_side(par, u, f);
+  if (ijac != 0)
+    jacobian(par, u, dfdu);
+  return 0;
+}
+
+/* Straight rolling with the default parameters (AUTO's STPNT). */
+int stpnt(integer ndim, doublereal t, doublereal *u, doublereal *par)
+{
+  (void)t;
+  mlg_defaults(par);
+  for (integer i = 0; i < ndim; i++)
+    u[i] = 0.;
+  return 0;
+}
+
+/* Number of mesh points of the orbit that AUTO hands to pvls, less one; 0 for
+ * an equilibrium. */
+static int orbit_steps(const double *u)
+{
+  return getp("DTM", 1, u) > 0. ? (int)(getp("NTS", 0, u) * getp("NCO", 0, u)) : 0;
+}
+
+/* Peak of state i, whose time derivative is state rate: cubic Hermite between
+ * mesh points, so that it does not hang on where these fall. */
+static double orbit_peak(const double *u, double period, int i, int rate)
+{
+  const int stride = (int)getp("NDX", 0, u), per_interval = (int)getp("NCO", 0, u);
+  double peak = u[i];
+
+  for (int j = 0; j < orbit_steps(u); j++) {
+    const double *u0 = u + (size_t)j * (size_t)stride, *u1 = u0 + stride;
+    const double step = period * getp("DTM", 1 + j / per_interval, u) / per_interval;
+    const double v0 = u0[rate] * step, v1 = u1[rate] * step;
+
+    peak = fmax(peak, u1[i]);
+    if (v0 > 0. && v1 < 0.) { /* y(x) = u0 + v0 x + p x^2 + q x^3 on 0 <= x <= 1 */
+      const double q = 2. * (u0[i] - u1[i]) + v0 + v1;
+      const double p = 3. * (u1[i] - u0[i]) - 2. * v0 - v1;
+      const double x = v0 / (sqrt(fmax(0., p * p - 3. * q * v0)) - p);
+
+      peak = fmax(peak, u0[i] + x * (v0 + x * (p + x * q)));
+    }
+  }
+  return peak;
+}
+
+/* Largest |mu| - 1 of the complex Floquet multipliers mu, -1 without any.  It
+ * passes through 0 at every torus point, whereas AUTO's own test looks at the
+ * multiplier nearest to the unit circle only, which may be a real one.  Pairs
+ * within 0.01 rad of the real axis are the trivial multiplier 1 and a
+ * neighbour, split by rounding. */
+static double orbit_torus(integer ndim)
+{
+  double P0[NDIM * NDIM], P1[NDIM * NDIM], re[NDIM], im[NDIM], beta[NDIM], none[1];
+  double work[16 * NDIM], largest = 0.;
+  const integer one = 1, lwork = 16 * NDIM;
+  integer info = 0;
+  int known = 0;
+
+  if (ndim != NDIM)
+    return -1.;
+  getmdmx_(&ndim, P0, P1, &known);
+  if (!known)
+    return -1.;
+  for (int i = 0; i < NDIM * NDIM; i++)
+    P1[i] = -P1[i];
+  dggev_("N", "N", &ndim, P0, &ndim, P1, &ndim, re, im, beta, none, &one, none, &one, work, &lwork,
+         &info, 1, 1);
+  for (int i = 0; info == 0 && i < NDIM; i++)
+    if (fabs(beta[i]) > 0. && fabs(atan2(im[i], re[i])) > 0.01 && im[i] != 0.)
+      largest = fmax(largest, hypot(re[i], im[i]) / fabs(beta[i]));
+  return largest - 1.;
+}
+
+/* Results of a solution (AUTO's PVLS): MLG_RESULTS of mlg.h. */
+int pvls(integer ndim, const doublereal *u, doublereal *par)
+{
+  const double period = par[PAR_PERIOD];
+
+  par[PAR_PSI_MAX] = orbit_peak(u, period, PSI, DPSI) * 180. / MLG_PI;
+  par[PAR_DSTAR_MAX] = orbit_peak(u, period, DELTA, DDELTA) * par[PAR_L_DELTA];
+  par[PAR_TORUS] = orbit_steps(u) > 0 ? orbit_torus(ndim) : -1.;
+  par[PAR_F_Z] = (par[PAR_M] + par[PAR_M_D]) * par[PAR_G];
+  return 0;
+}
+
+/* AUTO wants these to be there; no run of ours uses them. */
+int bcnd(integer ndim, const doublereal *par, const integer *icp, integer nbc,
+         const doublereal *u0, const doublereal *u1, integer ijac, doublereal *f, doublereal *dbc)
+{
+  (void)ndim, (void)par, (void)icp, (void)nbc, (void)u0, (void)u1, (void)ijac, (void)f, (void)dbc;
+  return 0;
+}
+
+int icnd(integer ndim, const doublereal *par, const integer *icp, integer nint,
+         const doublereal *u, const doublereal *uold, const doublereal *udot,
+         const doublereal *upold, integer ijac, doublereal *f, doublereal *dint)
+{
+  (void)ndim, (void)par, (void)icp, (void)nint, (void)u, (void)uold, (void)udot, (void)upold;
+  (void)ijac, (void)f, (void)dint;
+  return 0;
+}
+
+int fopt(integer ndim, const doublereal *u, const integer *icp, const doublereal *par,
+         integer ijac, doublereal *f, doublereal *dfdu, doublereal *dfdp)
+{
+  (void)ndim, (void)u, (void)icp, (void)par, (void)ijac, (void)f, (void)dfdu, (void)dfdp;
+  return 0;
+}
+
+#endif
