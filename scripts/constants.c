@@ -1,0 +1,468 @@
+/* constants - checks an AUTO constants file and hands over values
+ *
+ *   constants FILE [gear=FILE] [NAME=VALUE ...]
+ *
+ * Prints FILE as AUTO reads it, one constant per line, with each NAME set to
+ * VALUE: NAME is an AUTO constant (DS=-0.1) or a parameter (c_d=5e3, goes into
+ * PAR).  gear=FILE sets all that the PAR of that file holds.
+ *
+ * AUTO passes over many slips in silence.  Here an unknown constant, a name
+ * that parnames or unames lacks, a parameter under a wrong slot or outside its
+ * physical range (models/mlg.h) ends with one line "FILE:LINE: what, and what
+ * would be right" on standard error and status 2, and nothing is printed.
+ */
+#include <ctype.h>
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../models/mlg.h"
+
+enum { MAX_FILE = 1 << 16, MAX_ENTRIES = 128, MAX_ITEMS = 256, STATUS_BAD_INPUT = 2 };
+
+/* One KEY = VALUE; the texts live as long as the program. */
+struct entry { const char *key, *value; int line; };
+struct constants { const char *file; struct entry entry[MAX_ENTRIES]; int n; };
+
+/* One element of a list (key "") or of a dictionary, quotes removed. */
+struct item { char key[64], value[256]; };
+struct items { struct item item[MAX_ITEMS]; int n; };
+
+struct parameter { int slot; const char *name, *unit; char range; };
+
+static const struct parameter parameters[] = {
+#define X(slot, id, name, unit, value, range, meaning) { slot, name, unit, range },
+  MLG_PARAMETERS(X)
+#undef X
+};
+
+/* AUTO-07p 0.9.2, manual chapter 10; values that are names of parameters are
+ * marked 'p', of parameters or states 'u'. */
+static const struct { const char *key; char names; } auto_constants[] = {
+  { "unames", 0 }, { "parnames", 0 }, { "U", 'u' },   { "PAR", 'p' },    { "ICP", 'p' },
+  { "UZR", 'p' },  { "UZSTOP", 'p' }, { "THL", 'p' }, { "THU", 'u' },    { "SP", 0 },
+  { "STOP", 0 },   { "NDIM", 0 },     { "IPS", 0 },   { "IRS", 0 },      { "ILP", 0 },
+  { "NTST", 0 },   { "NCOL", 0 },     { "IAD", 0 },   { "ISP", 0 },      { "ISW", 0 },
+  { "IPLT", 0 },   { "NBC", 0 },      { "NINT", 0 },  { "NMX", 0 },      { "NPR", 0 },
+  { "MXBF", 0 },   { "IIS", 0 },      { "IBR", 0 },   { "LAB", 0 },      { "IID", 0 },
+  { "ITMX", 0 },   { "ITNW", 0 },     { "NWTN", 0 },  { "JAC", 0 },      { "NPAR", 0 },
+  { "IADS", 0 },   { "DS", 0 },       { "DSMIN", 0 }, { "DSMAX", 0 },    { "EPSL", 0 },
+  { "EPSU", 0 },   { "EPSS", 0 },     { "RL0", 0 },   { "RL1", 0 },      { "A0", 0 },
+  { "A1", 0 },     { "e", 0 },        { "s", 0 },     { "dat", 0 },      { "sv", 0 },
+};
+
+static void bad_input(const char *file, int line, const char *format, ...)
+{
+  va_list args;
+
+  if (line > 0)
+    fprintf(stderr, "%s:%d: ", file, line);
+  else
+    fprintf(stderr, "%s: ", file);
+  va_start(args, format);
+  vfprintf(stderr, format, args);
+  va_end(args);
+  fputc('\n', stderr);
+  exit(STATUS_BAD_INPUT);
+}
+
+static int is_auto_constant(const char *key, char *names)
+{
+  for (size_t i = 0; i < sizeof auto_constants / sizeof *auto_constants; i++)
+    if (strcmp(key, auto_constants[i].key) == 0) {
+      if (names)
+        *names = auto_constants[i].names;
+      return 1;
+    }
+  return 0;
+}
+
+static const struct parameter *find_parameter(const char *name)
+{
+  for (size_t i = 0; i < sizeof parameters / sizeof *parameters; i++)
+    if (strcmp(name, parameters[i].name) == 0)
+      return &parameters[i];
+  return NULL;
+}
+
+static char *copy(const char *text, size_t length)
+{
+  char *t = malloc(length + 1);
+
+  if (!t)
+    bad_input("constants", 0, "out of memory");
+  memcpy(t, text, length);
+  t[length] = '\0';
+  return t;
+}
+
+static char *read_whole(const char *file)
+{
+  static char buffer[MAX_FILE];
+  FILE *f = fopen(file, "r");
+  size_t n;
+
+  if (!f)
+    bad_input(file, 0, "%s; expected a constants file", strerror(errno));
+  n = fread(buffer, 1, sizeof buffer, f);
+  if (ferror(f))
+    bad_input(file, 0, "%s; expected a constants file", strerror(errno));
+  fclose(f);
+  if (n == sizeof buffer)
+    bad_input(file, 0, "longer than %d bytes; not a constants file", MAX_FILE);
+  if (memchr(buffer, '\0', n))
+    bad_input(file, 0, "holds a zero byte; not a constants file");
+  return copy(buffer, n);
+}
+
+/* One entry more, or a new value for one that is there. */
+static void set(struct constants *c, const char *key, const char *value, int line)
+{
+  int i;
+
+  for (i = 0; i < c->n && strcmp(c->entry[i].key, key) != 0; i++)
+    ;
+  if (i == MAX_ENTRIES)
+    bad_input(c->file, line, "more than %d constants", MAX_ENTRIES);
+  if (i == c->n)
+    c->n++;
+  c->entry[i] = (struct entry){ key, value, line };
+}
+
+static const struct entry *get(const struct constants *c, const char *key)
+{
+  for (int i = 0; i < c->n; i++)
+    if (strcmp(c->entry[i].key, key) == 0)
+      return &c->entry[i];
+  return NULL;
+}
+
+/* The end of the value at t: past its closing bracket or quote, or at the
+ * blank, comma or line end behind it.  NULL: brackets or quotes stay open. */
+static const char *value_end(const char *t, int *lines)
+{
+  int depth = 0;
+  char quote = 0;
+
+  for (; *t; t++) {
+    if (*t == '\n')
+      ++*lines;
+    if (quote) {
+      if (*t == quote)
+        quote = 0;
+      else if (*t == '\n')
+        return NULL;
+    } else if (*t == '\'' || *t == '"')
+      quote = *t;
+    else if (*t == '[' || *t == '{')
+      depth++;
+    else if (*t == ']' || *t == '}') {
+      if (--depth < 0)
+        return NULL;
+      if (depth == 0)
+        return t + 1;
+    } else if (depth == 0 && (isspace((unsigned char)*t) || *t == ',')) {
+      if (*t == '\n')
+        --*lines;
+      return t;
+    }
+  }
+  return depth == 0 && !quote ? t : NULL;
+}
+
+static void parse(struct constants *c, const char *file)
+{
+  const char *t = read_whole(file);
+  int line = 1;
+
+  c->file = file;
+  c->n = 0;
+  while (*t) {
+    if (*t == '\n') {
+      line++, t++;
+    } else if (isspace((unsigned char)*t) || *t == ',') {
+      t++;
+    } else if (*t == '#' || *t == '!') {
+      t += strcspn(t, "\n");
+    } else {
+      const size_t length = strspn(t, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
+      const char *key = copy(t, length), *value, *end;
+      int lines = 0;
+
+      if (length == 0)
+        bad_input(file, line, "unexpected '%c'; a constant is written NAME = value", *t);
+      t += length;
+      t += strspn(t, " \t");
+      if (*t != '=')
+        bad_input(file, line, "'%s' is not followed by '='; a constant is written NAME = value", key);
+      t++;
+      value = t + strspn(t, " \t");
+      end = value_end(value, &lines);
+      if (!end)
+        bad_input(file, line, "%s: a bracket or quote is left open", key);
+      if (end == value)
+        bad_input(file, line, "%s has no value", key);
+      if (!is_auto_constant(key, NULL))
+        bad_input(file, line, "'%s' is not an AUTO constant (see the AUTO manual, chapter 10)", key);
+      if (get(c, key))
+        bad_input(file, line, "%s is given twice; AUTO would take the last", key);
+      set(c, key, copy(value, (size_t)(end - value)), line);
+      line += lines;
+      t = end;
+    }
+  }
+}
+
+/* Copies one key or value without quotes and blanks around it. */
+static void plain(const struct constants *c, const struct entry *e, char *to, size_t size,
+                  const char *from, const char *end)
+{
+  while (from < end && (isspace((unsigned char)*from) || *from == '\'' || *from == '"'))
+    from++;
+  while (end > from && (isspace((unsigned char)end[-1]) || end[-1] == '\'' || end[-1] == '"'))
+    end--;
+  if ((size_t)(end - from) >= size)
+    bad_input(c->file, e->line, "%s: an element longer than %zu characters", e->key, size - 1);
+  memcpy(to, from, (size_t)(end - from));
+  to[end - from] = '\0';
+}
+
+/* Splits a list [a, b] or a dictionary {k: v, k: v}; a lone value is a list of one. */
+static void split(const struct constants *c, const struct entry *e, struct items *items)
+{
+  const char *t = e->value, *end = t + strlen(t);
+
+  items->n = 0;
+  if (*t == '[' || *t == '{')
+    t++, end--;
+  while (t < end) {
+    const char *start = t, *colon = NULL;
+    struct item *item = &items->item[items->n];
+    int depth = 0;
+    char quote = 0;
+
+    for (; t < end && (*t != ',' || depth > 0 || quote); t++) {
+      if (quote)
+        quote = *t == quote ? 0 : quote;
+      else if (*t == '\'' || *t == '"')
+        quote = *t;
+      else if (*t == '[' || *t == '{')
+        depth++;
+      else if (*t == ']' || *t == '}')
+        depth--;
+      else if (*t == ':' && depth == 0 && !colon)
+        colon = t;
+    }
+    if (items->n == MAX_ITEMS)
+      bad_input(c->file, e->line, "%s: more than %d elements", e->key, MAX_ITEMS);
+    item->key[0] = '\0';
+    if (colon)
+      plain(c, e, item->key, sizeof item->key, start, colon);
+    plain(c, e, item->value, sizeof item->value, colon ? colon + 1 : start, t);
+    if (item->value[0] || item->key[0])
+      items->n++;
+    t += t < end;
+  }
+}
+
+/* A whole number; 0 when the text is none. */
+static int is_integer(const char *text, long *value)
+{
+  char *end;
+
+  errno = 0;
+  *value = strtol(text, &end, 10);
+  return end != text && *end == '\0' && errno == 0;
+}
+
+static int is_number(const char *text, double *value)
+{
+  char *end;
+
+  *value = strtod(text, &end);
+  return end != text && *end == '\0' && isfinite(*value) && !strpbrk(text, "xXpPnN");
+}
+
+static void check_value(const struct constants *c, const struct entry *e, const char *name,
+                        const char *text)
+{
+  const struct parameter *p = find_parameter(name);
+  double x;
+
+  if (!is_number(text, &x))
+    bad_input(c->file, e->line, "%s = %s is not a finite number", name, text);
+  if (!p)
+    return;
+  if (p->range == '+' && !(x > 0.))
+    bad_input(c->file, e->line, "%s = %s %s is outside its range; it must be above 0%s", name, text,
+              p->unit, p->slot == PAR_K_S + 1 ? " (1e30 makes the spring rigid)" : "");
+  if (p->range == '0' && !(x >= 0.))
+    bad_input(c->file, e->line, "%s = %s %s is outside its range; it must not be below 0", name,
+              text, p->unit);
+}
+
+/* parnames: a name of the model stands under its own slot. */
+static void check_parnames(const struct constants *c, const struct items *parnames)
+{
+  const struct entry *e = get(c, "parnames");
+
+  for (int i = 0; i < parnames->n; i++) {
+    const struct item *it = &parnames->item[i];
+    const struct parameter *p = find_parameter(it->value);
+    long slot;
+
+    if (!is_integer(it->key, &slot) || slot < 1)
+      bad_input(c->file, e->line, "parnames: '%s' is not a slot; expected 1, 2, ...", it->key);
+    if (p && slot != p->slot)
+      bad_input(c->file, e->line, "parnames: %s stands under %ld; it is PAR(%d)", it->value, slot,
+                p->slot);
+    for (size_t k = 0; k < sizeof parameters / sizeof *parameters; k++)
+      if (!p && parameters[k].slot == slot)
+        bad_input(c->file, e->line, "parnames: PAR(%ld) is called '%s'; its name is %s", slot,
+                  it->value, parameters[k].name);
+  }
+}
+
+static int has_name(const struct items *names, const char *name)
+{
+  for (int i = 0; i < names->n; i++)
+    if (strcmp(names->item[i].value, name) == 0)
+      return 1;
+  return 0;
+}
+
+static void check_name(const struct constants *c, const struct entry *e, const char *text,
+                       const struct items *parnames, const struct items *unames, char kind)
+{
+  const char *name = text[0] == '-' ? text + 1 : text;
+  long slot;
+
+  if (is_integer(name, &slot) || has_name(parnames, name) || (kind == 'u' && has_name(unames, name)))
+    return;
+  bad_input(c->file, e->line, "%s: '%s' is not a name of %s", e->key, name,
+            kind == 'u' ? "unames" : "parnames");
+}
+
+static void check(const struct constants *c)
+{
+  static struct items parnames, unames, items;
+  const struct entry *e;
+  double x;
+  long ndim;
+
+  if ((e = get(c, "parnames"))) {
+    split(c, e, &parnames);
+    check_parnames(c, &parnames);
+  }
+  if ((e = get(c, "unames")))
+    split(c, e, &unames);
+  if ((e = get(c, "NDIM"))) {
+    if (!is_integer(e->value, &ndim) || ndim < 1)
+      bad_input(c->file, e->line, "NDIM = %s is not a number of states", e->value);
+    if (unames.n > 0 && unames.n != ndim)
+      bad_input(c->file, e->line, "NDIM = %ld, but unames names %d states", ndim, unames.n);
+  }
+  for (int i = 0; i < c->n; i++) {
+    char names;
+
+    e = &c->entry[i];
+    if (isupper((unsigned char)e->key[0]) && strcmp(e->key, "IRS") != 0 && e->value[0] != '['
+        && e->value[0] != '{' && !is_number(e->value, &x))
+      bad_input(c->file, e->line, "%s = %s is not a finite number", e->key, e->value);
+    if (!is_auto_constant(e->key, &names) || !names)
+      continue;
+    split(c, e, &items);
+    for (int k = 0; k < items.n; k++) {
+      const struct item *it = &items.item[k];
+
+      check_name(c, e, it->key[0] ? it->key : it->value, &parnames, &unames, names);
+      if (strcmp(e->key, "PAR") == 0)
+        check_value(c, e, it->key, it->value);
+    }
+  }
+}
+
+/* Puts name: value into the dictionary PAR. */
+static void set_parameter(struct constants *c, const char *name, const char *value)
+{
+  static struct items items;
+  static char text[MAX_FILE];
+  const struct entry *e = get(c, "PAR");
+  size_t n = 1;
+  int k = 0;
+
+  items.n = 0;
+  if (e)
+    split(c, e, &items);
+  while (k < items.n && strcmp(items.item[k].key, name) != 0)
+    k++;
+  if (k == MAX_ITEMS || strlen(name) >= sizeof items.item->key
+      || strlen(value) >= sizeof items.item->value)
+    bad_input(c->file, 0, "%s=%.20s...: too long, or too many parameters", name, value);
+  if (k == items.n)
+    items.n++;
+  strcpy(items.item[k].key, name);
+  strcpy(items.item[k].value, value);
+  strcpy(text, "{");
+  for (k = 0; k < items.n; k++)
+    n += (size_t)snprintf(text + n, sizeof text - n, "%s'%s': %s", k ? ", " : "",
+                          items.item[k].key, items.item[k].value);
+  snprintf(text + n, sizeof text - n, "}");
+  set(c, "PAR", copy(text, strlen(text)), e ? e->line : 0);
+}
+
+static void set_gear(struct constants *c, const char *file)
+{
+  static struct constants gear;
+  static struct items items;
+  const struct entry *e;
+
+  parse(&gear, file);
+  e = get(&gear, "PAR");
+  if (!e || gear.n > 1)
+    bad_input(file, 0, "expected one constant, PAR = {'name': value, ...}");
+  split(&gear, e, &items);
+  for (int k = 0; k < items.n; k++) {
+    if (!find_parameter(items.item[k].key))
+      bad_input(file, e->line, "PAR: '%s' is not a parameter (see models/mlg.h)", items.item[k].key);
+    check_value(&gear, e, items.item[k].key, items.item[k].value);
+    set_parameter(c, items.item[k].key, items.item[k].value);
+  }
+}
+
+int main(int argc, char *argv[])
+{
+  static struct constants c;
+
+  if (argc < 2) {
+    fprintf(stderr, "usage: constants FILE [gear=FILE] [NAME=VALUE ...]\n");
+    return STATUS_BAD_INPUT;
+  }
+  parse(&c, argv[1]);
+  for (int i = 2; i < argc; i++) {
+    const char *equals = strchr(argv[i], '=');
+    const char *name, *value;
+
+    if (!equals || equals == argv[i] || !equals[1])
+      bad_input(argv[1], 0, "'%s': expected NAME=VALUE", argv[i]);
+    name = copy(argv[i], (size_t)(equals - argv[i]));
+    value = equals + 1;
+    if (strcmp(name, "gear") == 0)
+      set_gear(&c, value);
+    else if (is_auto_constant(name, NULL))
+      set(&c, name, value, 0);
+    else if (find_parameter(name))
+      set_parameter(&c, name, value);
+    else
+      bad_input(argv[1], 0, "'%s' is neither an AUTO constant nor a parameter (see models/mlg.h)",
+                name);
+  }
+  check(&c);
+  for (int i = 0; i < c.n; i++)
+    printf("%s = %s\n", c.entry[i].key, c.entry[i].value);
+  if (fflush(stdout) != 0)
+    bad_input("standard output", 0, "%s", strerror(errno));
+  return 0;
+}

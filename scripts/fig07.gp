@@ -1,0 +1,59 @@
+# fig07.gp - Figure 7 from results/fig07.csv
+file = "results/fig07.csv"
+# columns of the table: 1 curve, 2 shimmy, 3 type, 4 V, 5 c_d
+curve(name) = where(file, "curve", name)
+shimmy(kind) = sprintf("< awk -F, '/^#/{next} $2==\"%s\"{if($1!=last)print \"\"; last=$1; print}' %s", kind, file)
+is(type, y) = strcol(3) eq type ? y : NaN
+# the zero-shimmy interval: from the LP of the low psi curve to that of the delta curve
+stats curve("low") using (is("LP", $5)) name "low" nooutput
+stats curve("delta") using (is("LP", $5)) name "delta" nooutput
+c_lo = low_max
+c_hi = delta_max
+kilo = 1e-3 # the axis is in kN m s/rad
+
+set style textbox opaque noborder fillcolor rgb "white" margins 0.6,0.4
+do for [ending in "png svg"] {
+  if (ending eq "png") { set terminal pngcairo size 1200,900 font "DejaVu Sans,14" } \
+  else { set terminal svg size 1200,900 font "DejaVu Sans,16" }
+  set output sprintf("results/fig07.%s", ending)
+  set multiplot
+  do for [panel in "plane inset"] {
+    if (panel eq "plane") {
+      set lmargin at screen 0.085; set rmargin at screen 0.975
+      set bmargin at screen 0.095; set tmargin at screen 0.975
+      set xrange [0:200]; set yrange [0:80]
+      set xtics 20; set ytics 10
+      set xlabel "V (m/s)"; set ylabel "c_d (kN m s/rad)" offset 0.5,0
+      set label 1 "ψ-shimmy" at 17,74 center front boxed
+      set label 2 "δ-shimmy" at 42,22 center front boxed
+      set label 3 "no shimmy" at 130,68 center front boxed
+      set label 4 "both" at 43,74 center front boxed
+      set label 5 "ψ-shimmy" at 70,7.5 center front boxed
+      set arrow 1 from 63,6 to 50,0.7 front
+      set object 1 rectangle from graph 0,0 to graph 1,1 fs solid fc rgb grey behind
+    } else {
+      unset label 5; unset arrow 1
+      set object 1 rectangle from screen 0.475,0.155 to screen 0.965,0.64 fs solid fc rgb "white" behind
+      set lmargin at screen 0.535; set rmargin at screen 0.95
+      set bmargin at screen 0.205; set tmargin at screen 0.60
+      set xrange [0:80]; set yrange [2:4]
+      set xtics 20; set ytics 0.5; unset xlabel; unset ylabel
+      set label 1 "ψ-shimmy" at 11.5,2.25
+      set label 2 "δ-shimmy" at 36,3.55
+      set label 3 "zero-shimmy region" at 58,2.885
+      set label 4 sprintf("%.2f < c_d < %.2f", c_lo, c_hi) at 58,2.62
+      set object 2 rectangle from graph 0,0 to graph 1,1 fs solid fc rgb grey behind
+    }
+    plot for [name in "psi delta low"] curve(name) using 4:(kilo*$5) with filledcurves closed fc rgb "white" fs solid noborder, \
+         shimmy("psi") using 4:(kilo*$5) with filledcurves closed fc rgb "#e08214" fs transparent pattern 5 noborder, \
+         shimmy("delta") using 4:(kilo*$5) with filledcurves closed fc rgb "#2a9d5c" fs transparent pattern 4 noborder, \
+         for [name in "psi delta low"] curve(name) using 4:(kilo*$5) with lines ls 3, \
+         for [name in "torus_psi torus_delta"] curve(name) using 4:(kilo*$5) with lines ls 4, \
+         kilo*c_lo with lines ls 9, kilo*c_hi with lines ls 9, \
+         curve("psi") using 4:(is("HH", kilo*$5)) with points ls 7, \
+         curve("psi") using 4:(is("HH", kilo*$5)):("HH") with labels offset 2.2,-0.5 boxed
+  }
+  unset multiplot
+  unset object 2
+  unset output
+}

@@ -1,0 +1,59 @@
+# judge.awk - is AUTO's run what it was meant to be?
+#   awk -v expect="HB=4 TR=1" -f auto.awk -f judge.awk fort.9 fort.7
+# Prints the special points; each complaint goes on a line that begins with
+# "FAIL ".  AUTO itself ends with status 0 whatever happens, so this looks for:
+# MX, NaN, no solution at all, the steps used up before the stopping point,
+# a change of stability or a fold of ICP(1) that carries no label (stepped
+# over), and numbers of points other than expected.  EP at the first point is
+# where the run starts and does not count.  "closed" counts as a type.
+function fail(text) { print "FAIL " text }
+
+BEGIN { free = 1 } # the column of ICP(1)
+
+/[Nn][Aa][Nn]|[Ii]nfinity/ { nan++ }
+
+{
+  solutions++
+  last = type
+  if (type != "" && !(type == "EP" && solutions == 1)) {
+    found[type]++
+    if (type != "EP" && type != "UZ")
+      listed = listed sprintf(" %s %.6g", type, value[column[free]])
+  }
+}
+
+# the number of stable eigenvalues or multipliers, where AUTO counts them; at a
+# Hopf point, where orbits begin, it does not
+constant["ISW"] == 1 && constant["ISP"] > 0 {
+  count = stable_count[point]
+  if (solutions > 2 && count != was_count && type == "" && was_type == "")
+    fail(was_count " stable eigenvalues become " count " without a label between " column[free] " = " was_free " and " value[column[free]])
+  was_count = count
+}
+
+# folds, where AUTO is asked for them: its search for the fold can end beside it
+constant["ILP"] > 0 && solutions > 2 {
+  turns = (value[column[free]] - was_free) * (was_free - before_free) < 0
+  if (turns && was_type != "LP")
+    fail("fold without a label near " column[free] " = " was_free)
+  if (!turns && was_type == "LP")
+    fail("LP at " column[free] " = " was_free " is not an extremum")
+}
+
+{ before_free = was_free; was_type = type; was_free = value[column[free]] }
+
+END {
+  if (closed) found["closed"] = 1
+  if (!solutions) fail("AUTO computed no solution")
+  if (nan) fail("not-a-number in the solution")
+  n = split(expect, want, " ")
+  for (i = 1; i <= n; i++) {
+    split(want[i], pair, "=")
+    wanted[pair[1]] = 1
+    if (found[pair[1]] + 0 != pair[2])
+      fail("expected " pair[2] " " pair[1] ", found " found[pair[1]] + 0)
+  }
+  if (found["MX"]) fail("MX: no convergence")
+  if (found["EP"] && !wanted["EP"]) fail("ended at EP: the steps (NMX) were used up")
+  print substr(listed (closed ? " closed" : ""), 2)
+}

@@ -1,0 +1,148 @@
+# shellcheck shell=bash
+# lib.sh - making and judging AUTO runs; the figure scripts source it.
+#
+# A run lives in build/runs/NAME with AUTO's files c.NAME, b.NAME, s.NAME and
+# d.NAME, as AUTO's own @sv would leave them.  It is made anew only when its
+# constants, its executable, its starting solution or its judge changed; an
+# interrupted or failed run leaves nothing behind that would count as made.
+
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+export LC_ALL=C OMP_NUM_THREADS=1
+
+# Ends with one line on standard error; status 1: a run failed, 2: bad input.
+fail() { echo "$1" >&2; exit "${2:-1}"; }
+
+# The models and the constants checker, built when they are not up to date.
+# Under make they are, and asking again would only cost time.
+build() {
+  [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent models
+  MLG_BUILT=yes
+}
+
+# run NAME CONSTANTS [from=RUN] [gear=FILE] [KEY=VALUE ...] -- [TYPE=COUNT ...]
+#   CONSTANTS   constants/c.CONSTANTS, or a file's path; its name begins with
+#               the layout (l1.straight runs build/models/l1.exe)
+#   from=RUN    start from the solutions of that run (IRS says which one)
+#   KEY=VALUE   an AUTO constant or a parameter to hand over
+#   TYPE=COUNT  how many points of that type the run has to find
+run() {
+  local name=$1 constants=$2 from='' settings=() dir="build/runs/$1"
+  local file="constants/c.$2" base model started found stamp work
+  shift 2
+  while [ $# -gt 0 ] && [ "$1" != -- ]; do
+    case $1 in
+      from=*) from=${1#from=} ;;
+      *) settings+=("$1") ;;
+    esac
+    shift
+  done
+  [ $# -eq 0 ] || shift
+  case $constants in */*) file=$constants ;; esac
+  base=${file##*/}; base=${base#c.}
+  model=build/models/${base%%.*}.exe
+  [ -f "$file" ] || fail "$name: no constants file $file" 2
+  build
+  [ -x "$model" ] || fail "$name: $file names the layout '${base%%.*}', but there is no models/${base%%.*}.c" 2
+  work=$dir.part
+  mkdir -p build/runs
+  exec 9> "$dir.lock" # another script may be making this very run
+  flock 9
+  rm -rf "$work"
+  mkdir "$work"
+  build/bin/constants "$file" "${settings[@]}" > "$work/fort.2" || exit $?
+  if [ -n "$from" ]; then
+    [ -f "build/runs/$from/s.$from" ] || fail "$name: starts from $from, which has not been made" 2
+    ln -sf "../$from/s.$from" "$work/s.$from"
+    echo "s = '$from'" >> "$work/fort.2"
+  fi
+  stamp=$( { echo "$*"; cat "$work/fort.2" scripts/auto.awk scripts/judge.awk "$model" ${from:+"build/runs/$from/s.$from"}; } | sha256sum)
+  if [ "$(cat "$dir/stamp" 2>/dev/null)" = "$stamp" ]; then
+    rm -rf "$work"
+    exec 9>&-
+    return
+  fi
+  started=$(date +%s%N)
+  (cd "$work" && "../../../$model") > "$work/auto.log" 2>&1 \
+    || { cat "$work/auto.log" >&2; fail "$name ($file): AUTO stopped with status $?; see $work/auto.log" 2; }
+  touch "$work/fort.7"
+  found=$(awk -v expect="$*" -f scripts/auto.awk -f scripts/judge.awk "$work/fort.9" "$work/fort.7")
+  if grep -q '^FAIL ' <<< "$found"; then
+    { echo "$name ($file): $(grep '^FAIL ' <<< "$found" | sed 's/^FAIL //' | paste -sd ';')"
+      echo "  end of AUTO's output ($work/auto.log):"
+      tail -n 6 "$work/auto.log" | sed 's/^/  | /'; } >&2
+    exit 1
+  fi
+  mv "$work/fort.2" "$work/c.$name"
+  mv "$work/fort.7" "$work/b.$name"
+  mv "$work/fort.8" "$work/s.$name"
+  mv "$work/fort.9" "$work/d.$name"
+  rm -f "$work"/fort.*
+  echo "$stamp" > "$work/stamp"
+  echo "layout=${base%%.*}" > "$work/origin"
+  rm -rf "$dir"
+  mv "$work" "$dir"
+  exec 9>&-
+  printf '  %-28s %5d ms  %s\n' "$name" $((($(date +%s%N) - started) / 1000000)) "$found"
+}
+
+# Tables.  begin_table FILE LINE... opens a table with these head lines, and the
+# figure's table of special points; rows and points add to them; end_table puts
+# both in place if they changed, so that what depends on them can tell.
+begin_table() {
+  table=$1
+  points_table=build/tables/points.$figure.csv
+  shift
+  mkdir -p build/tables results
+  printf '%s\n' "$@" > "$table.new"
+  : > "$points_table.new"
+}
+
+rows() { # PREFIX COLUMNS EVERY RUN [reverse]
+  awk -v prefix="$1" -v columns="$2" -v every="$3" -v reverse="${5:+1}" -v hopf="$points_table.new" \
+    -f scripts/auto.awk -f scripts/branch.awk "build/runs/$4/d.$4" "build/runs/$4/b.$4" >> "$table.new"
+}
+
+points() { # FIGURE RUN
+  local layout
+  layout=$(sed -n 's/^layout=//p' "build/runs/$2/origin")
+  awk -v figure="$1" -v layout="$layout" -v run="$2" -f scripts/auto.awk -f scripts/points.awk \
+    "build/runs/$2/d.$2" "build/runs/$2/b.$2" >> "$points_table.new"
+}
+
+# Whether an oscillation is psi- or delta-shimmy: which angle is larger where
+# the branch has its largest amplitude.
+shimmy_of() { # RUN
+  awk -f scripts/auto.awk -f scripts/shimmy.awk "build/runs/$1/d.$1" "build/runs/$1/b.$1"
+}
+
+end_table() {
+  replace "$table"
+  replace "$points_table"
+}
+
+replace() { # FILE: by FILE.new, unless they are the same
+  if cmp -s "$1.new" "$1"; then rm "$1.new"; else mv "$1.new" "$1"; fi
+}
+
+draw() {
+  LC_ALL=C.UTF-8 gnuplot -e "figure='$figure'" scripts/style.gp "scripts/$figure.gp"
+  echo "  results/$figure.png"
+}
+
+# What every figure script does with its arguments.
+main() { # FIGURE [runs [PART] | tables | draw]
+  figure=$1
+  local part parts
+  parts=$(declare -F | sed -n 's/^declare -f runs_//p')
+  case ${2:-all} in
+    runs)
+      for part in ${3:-$parts}; do
+        declare -F "runs_$part" > /dev/null || fail "$figure: no runs '$part'; there are $(paste -sd ' ' <<< "$parts")" 2
+        "runs_$part"
+      done ;;
+    tables | draw) "$2" ;;
+    all) main "$figure" runs; tables; draw ;;
+    *) fail "usage: scripts/$figure.sh [runs [PART] | tables | draw]" 2 ;;
+  esac
+}

@@ -1,0 +1,23 @@
+# style.gp - one look for every figure; loaded before the figure's own file.
+# Lines: stable solid blue, unstable dashed red; Hopf curves red, torus curves
+# purple.  Points: Hopf filled red, torus open circle, double Hopf black.
+# Call with figure='figNN'; draws results/figNN.png and .svg.
+if (!exists("figure")) { print "style.gp: say which figure, as in gnuplot -e \"figure='fig06'\""; exit status 2 }
+set encoding utf8
+set datafile separator ","
+set style line 1 lc rgb "#1f4fd8" lw 2             # stable
+set style line 2 lc rgb "#d62728" lw 1.6 dt (6,4)  # unstable
+set style line 3 lc rgb "#d62728" lw 2             # Hopf curve
+set style line 4 lc rgb "#7b3fa0" lw 2 dt (10,4)   # torus curve
+set style line 5 lc rgb "#d62728" pt 7 ps 0.9      # Hopf point
+set style line 6 lc rgb "#000000" pt 6 ps 1.2 lw 1.5 # torus point
+set style line 7 lc rgb "#000000" pt 7 ps 1.0      # double Hopf point
+set style line 8 lc rgb "#000000" pt 3 ps 1.3 lw 1.5 # solutions A, B
+set style line 9 lc rgb "#1f4fd8" lw 1.5           # bounds of the zero-shimmy region
+grey = "#d9d9d9"
+set border lw 1
+set tics nomirror out
+set key noautotitle
+
+# Rows of a table whose column name is one of the given values.
+where(file, column, value) = sprintf("< awk -F, -v c='%s' -v v='%s' '/^#/{next} !k{for(i=1;i<=NF;i++)if($i==c)k=i;next} $k==v' %s", column, value, file)
