@@ -13,7 +13,8 @@ export MLG_BUILT = yes
 
 # A layout is a models/ file that ends by including plugin.h.
 layouts := $(patsubst models/%.c,%,$(shell grep -l '^#include "plugin.h"' models/*.c))
-models := $(layouts:%=build/models/%.exe) build/bin/constants
+models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.exe) \
+          $(layouts:%=build/bin/scan-%) build/bin/constants
 goals := $(or $(MAKECMDGOALS),figures)
 
 .PHONY: figures models fig06 fig07 targets test check-scripts setup clean distclean help always
@@ -28,18 +29,29 @@ setup: build/auto.mk ## packages and AUTO only
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
+auto_given := $(AUTO_DIR)
 ifneq ($(filter-out help clean distclean,$(goals)),)
 include build/auto.mk
+unexport AUTO_DIR
 endif
 
 build/auto.mk: always
 	@scripts/setup.sh $(if $(filter test,$(goals)),test,figures)
-	@scripts/build-auto.sh
+	@AUTO_DIR='$(auto_given)' scripts/build-auto.sh
 
 build/models/%.o: models/%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> build/models/$*.exe"
 	@$(CC) $(CFLAGS) -MMD -MP -isystem $(AUTO_INCLUDE) -c $< -o $@
+
+# the algebraic problem of boundary.h around the same device
+build/models/%.boundary.o: models/%.c build/auto.mk Makefile
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) -fcx-limited-range -DMLG_BOUNDARY -MMD -MP -isystem $(AUTO_INCLUDE) -c $< -o $@
+
+build/bin/scan-%: scripts/scan.c models/%.c Makefile
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$*.c"' -MMD -MP $< -lm -o $@
 
 build/models/%.exe: build/models/%.o
 	@$(AUTO_FC) $< $(AUTO_LINK) -o $@
@@ -48,7 +60,7 @@ build/bin/constants: scripts/constants.c models/mlg.h Makefile
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $< -lm -o $@
 
--include $(wildcard build/models/*.d build/tests/*.d)
+-include $(wildcard build/models/*.d build/bin/*.d build/tests/*.d)
 .SECONDARY:
 
 # --- figures: runs side by side, then tables, then the picture ---------------

@@ -13,12 +13,18 @@
 enum { EPS = GEAR_STATES, NDIM };
 
 /* Torque T_d, N m, that the device takes from the wheels, and du[EPS]. */
-static double device(const double par[], const double u[], double du[])
+static inline double device(const double par[], const double u[], double du[])
 {
   const double T_d = par[PAR_K_PSI] * (u[PSI] - u[EPS]);
 
   du[EPS] = (T_d - par[PAR_K_D] * u[EPS]) / mlg_damper(par[PAR_C_D]);
   return T_d;
+}
+
+/* The same device as a network. */
+static inline struct network device_network(const double par[])
+{
+  return series(spring(par[PAR_K_PSI]), parallel(spring(par[PAR_K_D]), damper(par[PAR_C_D])));
 }
 
 #include "plugin.h"

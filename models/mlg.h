@@ -24,6 +24,8 @@
 
 #include <math.h>
 
+#include "network.h"
+
 /* Parameters: AUTO's PAR(slot).  Slots 10 to 14 belong to AUTO (PAR(11) is the
  * period, PAR(12) the torus angle).  The name is the one in parnames of every
  * constants file.  The value is the default; those of the gear are Table 1
@@ -101,6 +103,15 @@ static inline void mlg_defaults(double par[])
   MLG_PARAMETERS(X)
 #undef X
 }
+
+/* Stiffness of two springs in series; exactly k when k_s is MLG_RIGID. */
+static inline double mlg_series(double k, double k_s)
+{
+  return k / (1. + k / k_s);
+}
+
+/* Rate, 1/s, at which a state that a layout does not use follows its value. */
+#define MLG_FOLLOW 1e3
 
 /* The device damping to divide by.  A damper of 0 lets its spring follow at
  * once; a millionth of N m s/rad does so 1e10 times faster than shimmy. */

@@ -3,9 +3,16 @@
  * Included at the end of a layout file, which has included mlg.h and defined
  * NDIM (its number of states) and device().  AUTO's header comes last on
  * purpose: its macros fabs, min and max must not reach the equations.
+ *
+ * -DMLG_BOUNDARY makes the algebraic problem of boundary.h instead;
+ * -DMLG_NO_AUTO leaves all out, for programs that want the device alone.
  */
-#ifndef MLG_PLUGIN_H
+#if !defined MLG_PLUGIN_H && !defined MLG_NO_AUTO
 #define MLG_PLUGIN_H
+
+#ifdef MLG_BOUNDARY
+#include "boundary.h"
+#else
 
 #include "auto_f2c.h"
 
@@ -158,6 +165,8 @@ int pvls(integer ndim, const doublereal *u, doublereal *par)
   par[PAR_F_Z] = (par[PAR_M] + par[PAR_M_D]) * par[PAR_G];
   return 0;
 }
+
+#endif /* MLG_BOUNDARY */
 
 /* AUTO wants these to be there; no run of ours uses them. */
 int bcnd(integer ndim, const doublereal *par, const integer *icp, integer nbc,

@@ -7,8 +7,9 @@
 # constant["IPS"], constant["ISW"], ... are the run's constants.
 #
 # A branch of orbits that closes on a second Hopf point shrinks to nothing
-# there; AUTO then labels BP, or goes on along the zero solution until it ends
-# in BP or MX.  Both mean the same: closed is set, and what follows is left out.
+# there.  AUTO then labels BP, or goes on along the zero solution, or turns and
+# retraces the branch.  Each means the same, once the orbit has become small:
+# closed is set, and what follows is left out.
 
 # AUTO's numbers of labelled points (LBTYPE in its support.f90).
 function type_name(code,    n, names) {
@@ -56,8 +57,13 @@ $1 == "0" {
   for (k = 1; k <= columns; k++) value[column[k]] = $(4 + k)
 }
 
-constant["IPS"] == 2 && constant["ISW"] == 1 && rows++ > 0 && (type == "BP" || value["L2-NORM"] < 1e-6) {
-  closed = 1
+constant["IPS"] == 2 && constant["ISW"] == 1 {
+  size = value["L2-NORM"]
+  if (size > largest_size) largest_size = size
+  moved = value[column[1]] - at
+  turned = rows > 1 && moved * moved_before < 0
+  if (rows > 0 && size < 0.3 * largest_size && (size < 1e-6 || type == "BP" || turned)) closed = 1
+  rows++; at = value[column[1]]; moved_before = moved
 }
 closed { next }
 

@@ -333,6 +333,17 @@ static int has_name(const struct items *names, const char *name)
   return 0;
 }
 
+static int is_named(const struct constants *c, const char *key, const char *name)
+{
+  static struct items names;
+  const struct entry *e = get(c, key);
+
+  if (!e)
+    return 0;
+  split(c, e, &names);
+  return has_name(&names, name);
+}
+
 static void check_name(const struct constants *c, const struct entry *e, const char *text,
                        const struct items *parnames, const struct items *unames, char kind)
 {
@@ -453,10 +464,10 @@ int main(int argc, char *argv[])
       set_gear(&c, value);
     else if (is_auto_constant(name, NULL))
       set(&c, name, value, 0);
-    else if (find_parameter(name))
+    else if (find_parameter(name) || is_named(&c, "parnames", name))
       set_parameter(&c, name, value);
     else
-      bad_input(argv[1], 0, "'%s' is neither an AUTO constant nor a parameter (see models/mlg.h)",
+      bad_input(argv[1], 0, "'%s' is neither an AUTO constant nor a parameter (parnames, models/mlg.h)",
                 name);
   }
   check(&c);

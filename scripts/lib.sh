@@ -20,19 +20,21 @@ build() {
   MLG_BUILT=yes
 }
 
-# run NAME CONSTANTS [from=RUN] [gear=FILE] [KEY=VALUE ...] -- [TYPE=COUNT ...]
+# run NAME CONSTANTS [from=RUN] [model=MODEL] [gear=FILE] [KEY=VALUE ...] -- [TYPE=COUNT ...]
 #   CONSTANTS   constants/c.CONSTANTS, or a file's path; its name begins with
 #               the layout (l1.straight runs build/models/l1.exe)
+#   model=MODEL build/models/MODEL.exe instead (li1.boundary)
 #   from=RUN    start from the solutions of that run (IRS says which one)
 #   KEY=VALUE   an AUTO constant or a parameter to hand over
 #   TYPE=COUNT  how many points of that type the run has to find
 run() {
-  local name=$1 constants=$2 from='' settings=() dir="build/runs/$1"
-  local file="constants/c.$2" base model started found stamp work
+  local name=$1 constants=$2 from='' model='' settings=() dir="build/runs/$1"
+  local file="constants/c.$2" base started found stamp work
   shift 2
   while [ $# -gt 0 ] && [ "$1" != -- ]; do
     case $1 in
       from=*) from=${1#from=} ;;
+      model=*) model=${1#model=} ;;
       *) settings+=("$1") ;;
     esac
     shift
@@ -40,10 +42,11 @@ run() {
   [ $# -eq 0 ] || shift
   case $constants in */*) file=$constants ;; esac
   base=${file##*/}; base=${base#c.}
-  model=build/models/${base%%.*}.exe
+  base=${model:-${base%%.*}}
+  model=build/models/$base.exe
   [ -f "$file" ] || fail "$name: no constants file $file" 2
   build
-  [ -x "$model" ] || fail "$name: $file names the layout '${base%%.*}', but there is no models/${base%%.*}.c" 2
+  [ -x "$model" ] || fail "$name: $file is for the layout '${base%%.*}', but there is no models/${base%%.*}.c" 2
   work=$dir.part
   mkdir -p build/runs
   exec 9> "$dir.lock" # another script may be making this very run

@@ -5,7 +5,7 @@
 function number(x, digits) { return x == "" ? "" : x >= 1e29 ? "inf" : sprintf("%." digits "g", x) }
 
 type ~ /^(HB|ZH|TR|LP|BP|GH)$/ || (type == "UZ" && user_point()) {
-  digits = constant["IPS"] == 2 ? 6 : 8
+  digits = constant["IPS"] == 2 || type == "ZH" ? 6 : 8
   kind = type == "ZH" && double_hopf(point) ? "HH" : type
   print figure "," layout "," run "," kind "," number(value["V"], digits) "," \
         number(value["c_d"], digits) "," number(value["k_s"], 8) "," number(value["b"], 8) "," \

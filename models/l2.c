@@ -1,0 +1,33 @@
+/* l2.c - layout L2: spring-damper (paper Section 3.2, Fig. 8(b))
+ *
+ *              k_psi       k_s        +--[ k_d ]--+
+ *   wheels ---/\/\/\/---/\/\/\/---o---+           +---- strut
+ *     psi                        eps  +--[ c_d ]--+
+ *
+ *   T_d = k_psi_e (psi - eps) = k_d eps + c_d eps'                        (4)
+ *   k_psi_e = 1 / (1/k_psi + 1/k_s)                                      (37)
+ *
+ * State   eps   twist across k_d and c_d, rad
+ * A rigid k_s gives L1.
+ */
+#include "mlg.h"
+
+enum { EPS = GEAR_STATES, NDIM };
+
+/* Torque T_d, N m, that the device takes from the wheels, and du[EPS]. */
+static inline double device(const double par[], const double u[], double du[])
+{
+  const double T_d = mlg_series(par[PAR_K_PSI], par[PAR_K_S]) * (u[PSI] - u[EPS]);
+
+  du[EPS] = (T_d - par[PAR_K_D] * u[EPS]) / mlg_damper(par[PAR_C_D]);
+  return T_d;
+}
+
+/* The same device as a network. */
+static inline struct network device_network(const double par[])
+{
+  return series(series(spring(par[PAR_K_PSI]), spring(par[PAR_K_S])),
+                parallel(spring(par[PAR_K_D]), damper(par[PAR_C_D])));
+}
+
+#include "plugin.h"

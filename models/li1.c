@@ -1,0 +1,44 @@
+/* li1.c - layout LI1: TVMD type (paper Section 4.1, Fig. 11(a))
+ *
+ *                                     +--[ k_d ]--+
+ *              k_psi       k_s        |           |
+ *   wheels ---/\/\/\/---/\/\/\/---o---+--[ c_d ]--+---- strut
+ *     psi                        eps  |           |
+ *                                     +--[  b  ]--+
+ *
+ *   T_d = k_psi_e (psi - eps) = k_d eps + c_d eps' + b eps''
+ *   k_psi_e = 1 / (1/k_psi + 1/k_s)                                      (37)
+ *
+ * States  eps    twist across k_d, c_d and b, rad
+ *         deps   its rate, rad/s
+ * b = 0 gives L2; deps, no longer a state of the device, then follows eps'.
+ */
+#include "mlg.h"
+
+enum { EPS = GEAR_STATES, DEPS, NDIM };
+
+/* Torque T_d, N m, that the device takes from the wheels, du[EPS] and du[DEPS]. */
+static inline double device(const double par[], const double u[], double du[])
+{
+  const double k_d = par[PAR_K_D], c_d = par[PAR_C_D], b = par[PAR_B];
+  const double T_d = mlg_series(par[PAR_K_PSI], par[PAR_K_S]) * (u[PSI] - u[EPS]);
+
+  if (b > 0.) {
+    du[EPS] = u[DEPS];
+    du[DEPS] = (T_d - k_d * u[EPS] - c_d * u[DEPS]) / b;
+  } else {
+    du[EPS] = (T_d - k_d * u[EPS]) / mlg_damper(c_d);
+    du[DEPS] = MLG_FOLLOW * (du[EPS] - u[DEPS]);
+  }
+  return T_d;
+}
+
+/* The same device as a network. */
+static inline struct network device_network(const double par[])
+{
+  return series(series(spring(par[PAR_K_PSI]), spring(par[PAR_K_S])),
+                parallel(inerter(par[PAR_B]),
+                         parallel(spring(par[PAR_K_D]), damper(par[PAR_C_D]))));
+}
+
+#include "plugin.h"

@@ -1,0 +1,46 @@
+/* li2.c - layout LI2: TID type (paper Section 4.1, Fig. 11(b))
+ *
+ *              k_psi        +--[ k_s ]--+       +--[ k_d ]--+
+ *   wheels ---/\/\/\/---o---+           +---o---+           +---- strut
+ *     psi              chi  +--[  b  ]--+  eps  +--[ c_d ]--+
+ *
+ *   T_d = k_psi (psi - eps - chi) = k_d eps + c_d eps' = k_s chi + b chi''
+ *
+ * States  eps    twist across k_d and c_d, rad
+ *         chi    twist across k_s and b, rad
+ *         dchi   its rate, rad/s
+ * b = 0 gives L2, a rigid k_s L1; chi then has no motion of its own, and the
+ * two states follow the twist of k_s.
+ */
+#include "mlg.h"
+
+enum { EPS = GEAR_STATES, CHI, DCHI, NDIM };
+
+/* Torque T_d, N m, that the device takes from the wheels, du[EPS] to du[DCHI]. */
+static inline double device(const double par[], const double u[], double du[])
+{
+  const double k_psi = par[PAR_K_PSI], k_s = par[PAR_K_S], b = par[PAR_B];
+  double T_d;
+
+  if (b > 0. && k_s < MLG_RIGID) {
+    T_d = k_psi * (u[PSI] - u[EPS] - u[CHI]);
+    du[CHI] = u[DCHI];
+    du[DCHI] = (T_d - k_s * u[CHI]) / b;
+  } else {
+    T_d = mlg_series(k_psi, k_s) * (u[PSI] - u[EPS]);
+    du[CHI] = MLG_FOLLOW * (T_d / k_s - u[CHI]);
+    du[DCHI] = MLG_FOLLOW * (du[CHI] - u[DCHI]);
+  }
+  du[EPS] = (T_d - par[PAR_K_D] * u[EPS]) / mlg_damper(par[PAR_C_D]);
+  return T_d;
+}
+
+/* The same device as a network. */
+static inline struct network device_network(const double par[])
+{
+  return series(spring(par[PAR_K_PSI]),
+                series(parallel(spring(par[PAR_K_S]), inerter(par[PAR_B])),
+                       parallel(spring(par[PAR_K_D]), damper(par[PAR_C_D]))));
+}
+
+#include "plugin.h"

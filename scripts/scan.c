@@ -1,0 +1,392 @@
+/* scan - the boundary of the zero-shimmy region without continuation
+ *
+ *   scan-LAYOUT points    [NAME=VALUE ...]  boundary points at one k_s and b
+ *   scan-LAYOUT intervals [NAME=VALUE ...]  zero-shimmy intervals of c_d there
+ *
+ * NAME: a parameter of models/mlg.h, or compliance (1e5/k_s; 0 is rigid).
+ * At fixed frequency omega every Hopf point (V, c_d) is the root of a quadratic
+ * (models/characteristic.h).  The frequencies are swept; where c_d has an
+ * extremum along the curve of these points, that is a boundary point, refined
+ * to rounding.  AUTO's runs start from these points, and the intervals check
+ * what AUTO found.
+ *
+ * points prints CSV: c_d N m s/rad, V m/s, frequency_hz, extremum (min, max,
+ * or edge: the curve leaves through V = 200), shimmy (psi, delta).
+ * intervals prints CSV: c_lo, c_hi, V_lo, V_hi, width; widest first.
+ * Bad input: one line, status 2.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define MLG_NO_AUTO
+#include LAYOUT
+#include "characteristic.h"
+
+static const double V_top = 200.;              /* operating range, m/s */
+static const double c_least = 10., c_most = 1e6; /* range of c_d looked at, N m s/rad */
+static const double f_least = 0.5, f_most = 40., f_step = 0.002; /* Hz; delta islands are 10 mHz wide */
+
+enum extremum { MIN, MAX, EDGE };
+static const char *const extremum_name[] = { "min", "max", "edge" };
+
+struct point { double omega, V, c; enum extremum extremum; };
+
+struct points { struct point *point; int n, room; };
+
+/* The two Hopf points at omega; n = 0 without. */
+struct roots { int n; double c[2], V[2]; };
+
+static struct roots hopf_points(const struct characteristic *f, double omega)
+{
+  const double _Complex s = omega * I;
+  const double _Complex a = poly_value(&f->f[0][0], s), b = poly_value(&f->f[0][1], s);
+  const double _Complex g = poly_value(&f->f[1][0], s), d = poly_value(&f->f[1][1], s);
+  /* V = -(a + b c) / (g + d c) is real */
+  const double q0 = cimag(a * conj(g)), q1 = cimag(a * conj(d) + b * conj(g)), q2 = cimag(b * conj(d));
+  const double D = q1 * q1 - 4. * q0 * q2;
+  struct roots r = { 0, { 0., 0. }, { 0., 0. } };
+
+  if (D < 0.)
+    return r;
+  r.n = 2;
+  r.c[0] = (-q1 - sqrt(D)) / (2. * q2);
+  r.c[1] = (-q1 + sqrt(D)) / (2. * q2);
+  for (int k = 0; k < 2; k++)
+    r.V[k] = -creal((a + b * r.c[k]) / (g + d * r.c[k]));
+  return r;
+}
+
+static int inside(double V, double c)
+{
+  return V > 0. && V < V_top && c > c_least && c < c_most;
+}
+
+/* Zero at an extremum of c_d along the curve. */
+static double slope(const struct characteristic *f, double omega, double V, double c)
+{
+  const struct jet j = jet(f, omega * I, V, c);
+
+  return extremum_sine(&j, I, j.F_V);
+}
+
+static void add(struct points *list, struct point p)
+{
+  if (list->n == list->room) {
+    list->room = list->room ? 2 * list->room : 64;
+    list->point = realloc(list->point, (size_t)list->room * sizeof *list->point);
+    if (!list->point) {
+      fprintf(stderr, "scan: out of memory\n");
+      exit(1);
+    }
+  }
+  list->point[list->n++] = p;
+}
+
+/* Newton on F = 0, slope = 0 from a point nearby; 0 when it goes elsewhere. */
+static int refine(const struct characteristic *f, struct point *p)
+{
+  double x[3] = { p->omega, p->V, p->c };
+
+  for (int iteration = 0; iteration < 30; iteration++) {
+    double r[4][3], A[3][4], largest = 0.;
+
+    for (int k = 0; k < 4; k++) { /* residuals at x, and at x with one component moved */
+      double y[3] = { x[0], x[1], x[2] };
+      struct jet j;
+      double _Complex e;
+
+      if (k > 0)
+        y[k - 1] *= 1. + 1e-7;
+      j = jet(f, y[0] * I, y[1], y[2]);
+      e = j.F / j.F_s;
+      r[k][0] = creal(e);
+      r[k][1] = cimag(e);
+      r[k][2] = extremum_sine(&j, I, j.F_V);
+    }
+    for (int i = 0; i < 3; i++) {
+      for (int k = 0; k < 3; k++)
+        A[i][k] = (r[k + 1][i] - r[0][i]) / 1e-7; /* per relative change */
+      A[i][3] = -r[0][i];
+    }
+    for (int k = 0; k < 3; k++) { /* Gauss-Jordan with pivoting */
+      int best = k;
+
+      for (int i = k + 1; i < 3; i++)
+        if (fabs(A[i][k]) > fabs(A[best][k]))
+          best = i;
+      for (int i = 0; i < 4; i++) {
+        const double t = A[k][i];
+        A[k][i] = A[best][i];
+        A[best][i] = t;
+      }
+      if (A[k][k] == 0.)
+        return 0;
+      for (int i = 0; i < 3; i++)
+        if (i != k) {
+          const double factor = A[i][k] / A[k][k];
+          for (int m = k; m < 4; m++)
+            A[i][m] -= factor * A[k][m];
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+      double step = A[k][3] / A[k][k];
+
+      largest = fmax(largest, fabs(step));
+      step = fmax(-0.2, fmin(0.2, step));
+      x[k] *= 1. + step;
+    }
+    if (!(largest < 1e30))
+      return 0;
+    if (largest < 1e-11) {
+      if (fabs(x[0] / p->omega - 1.) > 0.02)
+        return 0;
+      *p = (struct point){ x[0], x[1], x[2], p->extremum };
+      return 1;
+    }
+  }
+  return 0;
+}
+
+static void add_refined(struct points *list, const struct characteristic *f, struct point p)
+{
+  if (!refine(f, &p) || !inside(p.V, p.c))
+    return;
+  p.extremum = curvature(f, I, p.omega, p.V, p.c) > 0. ? MIN : MAX;
+  for (int i = 0; i < list->n; i++)
+    if (fabs(list->point[i].c / p.c - 1.) < 1e-8 && fabs(list->point[i].omega / p.omega - 1.) < 1e-8)
+      return;
+  add(list, p);
+}
+
+static int by_c(const void *a, const void *b)
+{
+  const double x = ((const struct point *)a)->c, y = ((const struct point *)b)->c;
+
+  return (x > y) - (x < y);
+}
+
+/* All boundary points, by rising c_d. */
+static struct points boundary_points(const struct characteristic *f)
+{
+  struct points list = { NULL, 0, 0 };
+  struct roots last = { 0, { 0., 0. }, { 0., 0. } };
+  double last_omega = 0.;
+
+  for (double frequency = f_least; frequency <= f_most; frequency += f_step) {
+    const double omega = 2. * MLG_PI * frequency;
+    const struct roots now = hopf_points(f, omega);
+
+    for (int k = 0; k < 2; k++) {
+      if (now.n && last.n && (inside(now.V[k], now.c[k]) || inside(last.V[k], last.c[k]))) {
+        const double g0 = slope(f, last_omega, last.V[k], last.c[k]);
+        const double g1 = slope(f, omega, now.V[k], now.c[k]);
+        const double t = g0 / (g0 - g1);
+
+        if (g0 * g1 < 0. && fabs(now.c[k] - last.c[k]) < 0.5 * fabs(now.c[k] + last.c[k]))
+          add_refined(&list, f, (struct point){ last_omega + t * (omega - last_omega),
+                                                last.V[k] + t * (now.V[k] - last.V[k]),
+                                                last.c[k] + t * (now.c[k] - last.c[k]), MIN });
+        if ((last.V[k] - V_top) * (now.V[k] - V_top) < 0. && now.c[k] > c_least && now.c[k] < c_most
+            && fabs(now.V[k] - last.V[k]) < 10.)
+          add(&list, (struct point){ omega, V_top, now.c[k], EDGE });
+      }
+    }
+    /* the curve turns back in omega between the two samples */
+    if (now.n != last.n) {
+      const struct roots *r = now.n ? &now : &last;
+      const double w = now.n ? omega : last_omega;
+
+      if (inside(r->V[0], r->c[0]) && inside(r->V[1], r->c[1])
+          && slope(f, w, r->V[0], r->c[0]) * slope(f, w, r->V[1], r->c[1]) < 0.)
+        add_refined(&list, f, (struct point){ w, 0.5 * (r->V[0] + r->V[1]), 0.5 * (r->c[0] + r->c[1]), MIN });
+    }
+    last = now;
+    last_omega = omega;
+  }
+  if (list.n > 1)
+    qsort(list.point, (size_t)list.n, sizeof *list.point, by_c);
+  return list;
+}
+
+/* Routh's test of F at one (V, c_d). */
+static int is_stable(const struct characteristic *f, double V, double c)
+{
+  struct poly p = poly_sum(poly_sum(f->f[0][0], poly_scaled(f->f[1][0], V)),
+                           poly_sum(poly_scaled(f->f[0][1], c), poly_scaled(f->f[1][1], V * c)));
+  double row[2][POLY_TERMS] = { { 0. } };
+  int degree = POLY_TERMS - 1;
+  double largest = 0.;
+
+  for (int i = 0; i < POLY_TERMS; i++) /* s in units of 100 rad/s */
+    largest = fmax(largest, fabs(p.coefficient[i] *= pow(100., i)));
+  while (degree > 0 && fabs(p.coefficient[degree]) <= 1e-14 * largest)
+    degree--;
+  for (int i = 0; i <= degree; i++)
+    row[i % 2][i / 2] = p.coefficient[degree - i];
+  for (int k = 0; k < degree; k++) {
+    double *upper = row[k % 2], *lower = row[(k + 1) % 2];
+
+    const double factor = upper[0] / lower[0];
+
+    if (!(factor > 0.))
+      return 0;
+    for (int i = 0; i + 1 < POLY_TERMS; i++)
+      upper[i] = upper[i + 1] - factor * lower[i + 1];
+  }
+  return 1;
+}
+
+/* No shimmy at this c_d for any V of the operating range. */
+static int is_zero_shimmy(const struct characteristic *f, double c)
+{
+  for (double V = 0.05; V < V_top; V += 0.25)
+    if (!is_stable(f, V, c))
+      return 0;
+  return 1;
+}
+
+static void print_points(const double par[])
+{
+  const struct characteristic f = characteristic(par);
+  const struct points list = boundary_points(&f);
+
+  printf("c_d,V,frequency_hz,extremum,shimmy\n");
+  for (int i = 0; i < list.n; i++) {
+    const struct point *p = &list.point[i];
+
+    printf("%.10g,%.10g,%.10g,%s,%s\n", p->c, p->V, p->omega / (2. * MLG_PI),
+           extremum_name[p->extremum],
+           delta_over_psi(par, p->V, p->omega * I) > 1. ? "delta" : "psi");
+  }
+  free(list.point);
+}
+
+/* The widest zero-shimmy interval at one k_s and b; width 0 without any. */
+struct interval { double lo, hi, V_lo, V_hi; };
+
+static struct interval widest_at(double par[], double compliance)
+{
+  struct characteristic f;
+  struct points list;
+  struct interval widest = { 0., 0., 0., 0. };
+  double lo = c_least, V_lo = 0.;
+
+  par[PAR_K_S] = 1e5 / compliance;
+  f = characteristic(par);
+  list = boundary_points(&f);
+  for (int i = 0; i <= list.n; i++) {
+    const double hi = i < list.n ? list.point[i].c : c_most;
+    const double V_hi = i < list.n ? list.point[i].V : 0.;
+
+    if (hi - lo > widest.hi - widest.lo && is_zero_shimmy(&f, sqrt(lo * hi)))
+      widest = (struct interval){ lo, hi, V_lo, V_hi };
+    lo = hi;
+    V_lo = V_hi;
+  }
+  free(list.point);
+  return widest;
+}
+
+/* The widest interval over k_s at one b: a grid, then golden section about its
+ * best node.  The width has a kink or a jump where another mechanism takes over. */
+static void print_widest(double par[])
+{
+  const double golden = 0.6180339887498949, step = 0.0025;
+  double best = 0., width = -1., left, right;
+  struct interval w;
+
+  for (double compliance = 0.; compliance < 0.35; compliance += step) {
+    w = widest_at(par, compliance);
+    if (w.hi - w.lo > width) {
+      width = w.hi - w.lo;
+      best = compliance;
+    }
+  }
+  left = fmax(0., best - step);
+  right = best + step;
+  for (int i = 0; i < 60; i++) {
+    const double a = right - golden * (right - left), b = left + golden * (right - left);
+    const struct interval wa = widest_at(par, a), wb = widest_at(par, b);
+
+    if (wa.hi - wa.lo > wb.hi - wb.lo)
+      right = b;
+    else
+      left = a;
+  }
+  for (int side = 0; side < 2; side++) {
+    const double compliance = side ? right + 1e-7 : left - 1e-7;
+
+    w = widest_at(par, compliance);
+    printf("%.10g,%.10g,%.10g,%.10g,%.10g,%.10g,%.10g\n", par[PAR_B], compliance, 1e5 / compliance,
+           w.lo, w.hi, w.V_lo, w.V_hi);
+  }
+}
+
+static void print_intervals(const double par[])
+{
+  const struct characteristic f = characteristic(par);
+  const struct points list = boundary_points(&f);
+  double lo = c_least, V_lo = 0.;
+
+  printf("c_lo,c_hi,V_lo,V_hi,width\n");
+  for (int i = 0; i <= list.n; i++) {
+    const double hi = i < list.n ? list.point[i].c : c_most;
+    const double V_hi = i < list.n ? list.point[i].V : 0.;
+
+    if (hi > lo * (1. + 1e-9) && is_zero_shimmy(&f, sqrt(lo * hi)))
+      printf("%.10g,%.10g,%.10g,%.10g,%.10g\n", lo, hi, V_lo, V_hi, hi - lo);
+    lo = hi;
+    V_lo = V_hi;
+  }
+  free(list.point);
+}
+
+static void set(double par[], const char *text)
+{
+  static const struct { const char *name; int slot; } names[] = {
+#define X(slot, id, name, unit, value, range, meaning) { name, PAR_##id },
+    MLG_PARAMETERS(X)
+#undef X
+  };
+  const char *equals = strchr(text, '=');
+  const size_t length = equals ? (size_t)(equals - text) : 0;
+  char *end;
+  const double value = equals ? strtod(equals + 1, &end) : 0.;
+
+  if (!equals || end == equals + 1 || *end || !isfinite(value)) {
+    fprintf(stderr, "scan: '%s': expected NAME=NUMBER\n", text);
+    exit(2);
+  }
+  if (length == 10 && memcmp(text, "compliance", length) == 0) {
+    par[PAR_K_S] = 1e5 / value;
+    return;
+  }
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    if (strlen(names[i].name) == length && memcmp(names[i].name, text, length) == 0) {
+      par[names[i].slot] = value;
+      return;
+    }
+  fprintf(stderr, "scan: '%s': no such parameter (see models/mlg.h)\n", text);
+  exit(2);
+}
+
+int main(int argc, char *argv[])
+{
+  double par[36] = { 0. };
+
+  mlg_defaults(par);
+  for (int i = 2; i < argc; i++)
+    set(par, argv[i]);
+  if (argc > 1 && strcmp(argv[1], "points") == 0)
+    print_points(par);
+  else if (argc > 1 && strcmp(argv[1], "intervals") == 0)
+    print_intervals(par);
+  else if (argc > 1 && strcmp(argv[1], "widest") == 0)
+    print_widest(par);
+  else {
+    fprintf(stderr, "usage: scan points|intervals [NAME=VALUE ...]\n");
+    return 2;
+  }
+  return 0;
+}

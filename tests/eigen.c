@@ -1,0 +1,310 @@
+/* eigen.c - boundaries of shimmy from eigenvalues, without AUTO
+ *
+ * Built once per layout, -DLAYOUT='"l1.c"' -o eigen-l1; eigen.h has the method.
+ * Without arguments it prints its commands.
+ */
+#include LAYOUT
+
+#include "eigen.h"
+
+/* plugin.h asks AUTO for these; func() does not. */
+doublereal getp(const char *code, integer ic, const doublereal *u)
+{
+  (void)code, (void)ic, (void)u;
+  return 0.;
+}
+
+void getmdmx_(const integer *ndim, double *P0, double *P1, int *known)
+{
+  (void)ndim, (void)P0, (void)P1;
+  *known = 0;
+}
+
+static const char usage[] =
+  "usage: %s command [name=value ...]\n"
+  "  eigenvalues                      eigenvalues of straight rolling\n"
+  "  boundary free=NAME from= to= [step=]\n"
+  "                                   all Hopf points along a parameter; the step is\n"
+  "                                   1/400 of the range by default\n"
+  "  hh V= c_d=                       double-Hopf point near a guess\n"
+  "  fold V= c_d=                     extremum of c_d along a Hopf curve near a guess\n"
+  "  centre free=NAME V= c_d=         the value of a third parameter, near a guess of all\n"
+  "                                   three, at which two Hopf curves in V and c_d meet or\n"
+  "                                   a closed one appears\n"
+  "  interval [V_lo=0.1 V_hi=200 step=0.05 c_d_lo=100 c_d_hi=1e5 c_d_steps=300]\n"
+  "                                   intervals of c_d without shimmy at any V\n"
+  "  map [V_lo=0.5 V_hi=200 V_n=400 c_d_lo=250 c_d_hi=1e5 c_d_n=400]\n"
+  "                                   number of unstable pairs on a grid, as CSV\n"
+  "Other names are those of the parameters (models/mlg.h), in SI units.\n";
+
+static const struct { const char *name; int slot; char range; } parameter[] = {
+#define X(slot, id, name, unit, value, range, meaning) { name, PAR_##id, range },
+  MLG_PARAMETERS(X)
+#undef X
+};
+enum { PARAMETERS = sizeof parameter / sizeof *parameter };
+
+/* What a command takes besides parameters. */
+struct option { const char *name; double value; bool given; };
+
+static _Noreturn void refuse(const char *text, const char *what)
+{
+  fprintf(stderr, "%s: %s\n", what, text);
+  exit(2);
+}
+
+static int find_parameter(const char *name, size_t length)
+{
+  for (int i = 0; i < PARAMETERS; i++)
+    if (strlen(parameter[i].name) == length && strncmp(parameter[i].name, name, length) == 0)
+      return i;
+  return -1;
+}
+
+static double number(const char *argument)
+{
+  const char *text = strchr(argument, '=') + 1;
+  char *end;
+  const double value = strtod(text, &end);
+
+  if (end == text || *end != '\0' || !isfinite(value))
+    refuse("not a finite number", argument);
+  return value;
+}
+
+/* Reads name=value arguments.  A command that wants free=NAME passes free_slot. */
+static void read_arguments(int n, char **argument, double par[], bool given[],
+                           struct option option[], int *free_slot)
+{
+  for (int i = 0; i < n; i++) {
+    const char *equals = strchr(argument[i], '=');
+    struct option *o = option;
+
+    if (equals == NULL)
+      refuse("not of the form name=value", argument[i]);
+    const size_t length = (size_t)(equals - argument[i]);
+    const int known = find_parameter(argument[i], length);
+
+    while (o->name != NULL && (strlen(o->name) != length || strncmp(o->name, argument[i], length) != 0))
+      o++;
+    if (free_slot != NULL && length == 4 && strncmp(argument[i], "free", 4) == 0) {
+      const int which = find_parameter(equals + 1, strlen(equals + 1));
+
+      if (which < 0)
+        refuse("no parameter of this name", argument[i]);
+      *free_slot = parameter[which].slot;
+    } else if (o->name != NULL) {
+      o->value = number(argument[i]);
+      o->given = true;
+    } else if (known >= 0) {
+      const double value = number(argument[i]);
+
+      if ((parameter[known].range == '+' && !(value > 0.)) || (parameter[known].range == '0' && value < 0.))
+        refuse("out of range", argument[i]);
+      par[parameter[known].slot] = value;
+      given[parameter[known].slot] = true;
+    } else {
+      refuse("this command has no such name", argument[i]);
+    }
+  }
+}
+
+static const char *name_of(int slot)
+{
+  for (int i = 0; i < PARAMETERS; i++)
+    if (parameter[i].slot == slot)
+      return parameter[i].name;
+  return "?";
+}
+
+/* The parameters that a command varies must come as a guess, or not at all. */
+static void want(const bool given[], int slot, bool guess)
+{
+  if (given[slot] != guess)
+    refuse(guess ? "a guess is wanted, name=value" : "this command sets it itself", name_of(slot));
+}
+
+static int print_eigenvalues(int n, char **argument)
+{
+  struct option option[] = { { NULL, 0., false } };
+  double par[EIGEN_SLOTS] = { 0. };
+  bool given[EIGEN_SLOTS] = { false };
+
+  mlg_defaults(par);
+  read_arguments(n, argument, par, given, option, NULL);
+  const struct eigen_values e = eigen_values(par);
+
+  printf("%24s %24s %20s\n", "real_part", "imaginary_part", "frequency_hz");
+  for (int i = 0; i < NDIM; i++)
+    printf("%24.16e %24.16e %20.12g\n", e.re[i], e.im[i], e.im[i] / (2. * MLG_PI));
+  return 0;
+}
+
+static int print_boundary(int n, char **argument)
+{
+  enum { FROM, TO, STEP, ROOM = 1000 };
+  static struct eigen_crossing crossing[ROOM];
+  struct option option[] = {
+    { "from", 0., false }, { "to", 0., false }, { "step", 0., false }, { NULL, 0., false }
+  };
+  double par[EIGEN_SLOTS] = { 0. };
+  bool given[EIGEN_SLOTS] = { false };
+  int slot = -1;
+
+  mlg_defaults(par);
+  read_arguments(n, argument, par, given, option, &slot);
+  if (slot < 0 || !option[FROM].given || !option[TO].given)
+    refuse("free=NAME, from= and to= are wanted", "boundary");
+  want(given, slot, false);
+  if (!(option[TO].value > option[FROM].value))
+    refuse("to= is not above from=", "boundary");
+  if (!option[STEP].given)
+    option[STEP].value = (option[TO].value - option[FROM].value) / 400.;
+  if (!(option[STEP].value >= 1e-6 * (option[TO].value - option[FROM].value)))
+    refuse("not above a millionth of the range", "step");
+
+  const int found = eigen_crossings(par, slot, option[FROM].value, option[TO].value,
+                                    option[STEP].value, crossing, ROOM);
+
+  printf("%20s %18s %18s  %s\n", name_of(slot), "frequency_hz", "delta_over_psi", "mode");
+  for (int i = 0; i < found && i < ROOM; i++)
+    printf("%20.13g %18.12g %18.12g  %s%s\n", crossing[i].at, crossing[i].frequency_hz,
+           crossing[i].delta_over_psi, crossing[i].loses_stability ? "loses stability" : "regains stability",
+           crossing[i].frequency_hz > 0. ? "" : " (real eigenvalue: no Hopf point)");
+  return 0;
+}
+
+static int print_point(enum eigen_condition condition, int n, char **argument)
+{
+  struct option option[] = { { NULL, 0., false } };
+  double par[EIGEN_SLOTS] = { 0. };
+  bool given[EIGEN_SLOTS] = { false };
+  int slot[3] = { PAR_V, PAR_C_D, -1 };
+  const int unknowns = condition == EIGEN_CENTRE ? 3 : 2;
+  double _Complex mode[2] = { 0. };
+
+  mlg_defaults(par);
+  read_arguments(n, argument, par, given, option, unknowns == 3 ? &slot[2] : NULL);
+  if (unknowns == 3 && slot[2] < 0)
+    refuse("free=NAME is wanted", "centre");
+  for (int i = 0; i < unknowns; i++)
+    want(given, slot[i], true);
+  const double change = eigen_refine(condition, par, slot);
+
+  if (change < 0.) {
+    fprintf(stderr, "no such point near the guess: Newton's method does not converge\n");
+    return 1;
+  }
+  eigen_critical(par, mode);
+  for (int i = 0; i < unknowns; i++)
+    printf("%20s = %.13g\n", name_of(slot[i]), par[slot[i]]);
+  for (int i = 0; i < (condition == EIGEN_HH ? 2 : 1); i++) {
+    const struct eigen_mode m = eigen_mode(par, mode[i]);
+
+    printf("%20s = %.12g\n%20s = %.12g\n%20s = %.1e\n", "frequency_hz", m.frequency_hz,
+           "delta_over_psi", m.delta_over_psi, "real_part", creal(m.value));
+  }
+  printf("%20s = %.1e\n", "last_change", change);
+  return 0;
+}
+
+static int print_intervals(int n, char **argument)
+{
+  enum { V_LO, V_HI, STEP, C_D_LO, C_D_HI, C_D_STEPS, ROOM = 100 };
+  static struct eigen_interval interval[ROOM];
+  struct option option[] = {
+    { "V_lo", 0.1, false }, { "V_hi", 200., false }, { "step", 0.05, false },
+    { "c_d_lo", 100., false }, { "c_d_hi", 1e5, false }, { "c_d_steps", 300., false },
+    { NULL, 0., false }
+  };
+  double par[EIGEN_SLOTS] = { 0. };
+  bool given[EIGEN_SLOTS] = { false };
+
+  mlg_defaults(par);
+  read_arguments(n, argument, par, given, option, NULL);
+  want(given, PAR_V, false);
+  want(given, PAR_C_D, false);
+  if (!(option[V_LO].value >= 0. && option[V_HI].value > option[V_LO].value && option[STEP].value >= 1e-4
+        && option[C_D_LO].value > 0. && option[C_D_HI].value > option[C_D_LO].value
+        && option[C_D_STEPS].value >= 2. && option[C_D_STEPS].value <= 1e6))
+    refuse("0 <= V_lo < V_hi, step >= 1e-4, 0 < c_d_lo < c_d_hi and c_d_steps >= 2 are wanted", "interval");
+  const struct eigen_scan scan = { option[V_LO].value, option[V_HI].value, option[STEP].value,
+                                   option[C_D_LO].value, option[C_D_HI].value,
+                                   (int)option[C_D_STEPS].value };
+  const int found = eigen_intervals(par, &scan, interval, ROOM);
+
+  printf("%18s %18s %18s  %s\n", "c_d", "V", "frequency_hz", "end");
+  for (int i = 0; i < found && i < ROOM; i++)
+    for (int end = 0; end < 2; end++)
+      if (interval[i].open[end])
+        printf("%18.12g %18s %18s  %s (of the scan)\n", interval[i].c_d[end], "-", "-", end ? "upper" : "lower");
+      else
+        printf("%18.12g %18.12g %18.12g  %s\n", interval[i].c_d[end], interval[i].V[end],
+               interval[i].frequency_hz[end], end ? "upper" : "lower");
+  return 0;
+}
+
+static int print_map(int n, char **argument)
+{
+  enum { V_LO, V_HI, V_N, C_D_LO, C_D_HI, C_D_N };
+  struct option option[] = {
+    { "V_lo", 0.5, false }, { "V_hi", 200., false }, { "V_n", 400., false },
+    { "c_d_lo", 250., false }, { "c_d_hi", 1e5, false }, { "c_d_n", 400., false },
+    { NULL, 0., false }
+  };
+  double par[EIGEN_SLOTS] = { 0. };
+  bool given[EIGEN_SLOTS] = { false };
+
+  mlg_defaults(par);
+  read_arguments(n, argument, par, given, option, NULL);
+  want(given, PAR_V, false);
+  want(given, PAR_C_D, false);
+  if (!(option[V_LO].value >= 0. && option[V_HI].value > option[V_LO].value && option[C_D_LO].value >= 0.
+        && option[C_D_HI].value > option[C_D_LO].value && option[V_N].value >= 2. && option[V_N].value <= 1e5
+        && option[C_D_N].value >= 2. && option[C_D_N].value <= 1e5))
+    refuse("0 <= V_lo < V_hi, 0 <= c_d_lo < c_d_hi and 2 <= V_n, c_d_n <= 1e5 are wanted", "map");
+  const int V_n = (int)option[V_N].value, c_d_n = (int)option[C_D_N].value;
+
+  printf("V,c_d,unstable_pairs\n");
+  for (int j = 0; j < c_d_n; j++)
+    for (int i = 0; i < V_n; i++) {
+      par[PAR_V] = option[V_LO].value + (option[V_HI].value - option[V_LO].value) * i / (V_n - 1);
+      par[PAR_C_D] = option[C_D_LO].value + (option[C_D_HI].value - option[C_D_LO].value) * j / (c_d_n - 1);
+      const struct eigen_values e = eigen_values(par);
+
+      printf("%.10g,%.10g,%d\n", par[PAR_V], par[PAR_C_D], eigen_unstable_pairs(&e));
+    }
+  return 0;
+}
+
+int main(int argc, char **argv)
+{
+  const char *command = argc > 1 ? argv[1] : "";
+  const int n = argc - 2;
+  char **argument = argv + 2;
+  int status;
+
+  if (strcmp(command, "eigenvalues") == 0)
+    status = print_eigenvalues(n, argument);
+  else if (strcmp(command, "boundary") == 0)
+    status = print_boundary(n, argument);
+  else if (strcmp(command, "hh") == 0)
+    status = print_point(EIGEN_HH, n, argument);
+  else if (strcmp(command, "fold") == 0)
+    status = print_point(EIGEN_FOLD, n, argument);
+  else if (strcmp(command, "centre") == 0)
+    status = print_point(EIGEN_CENTRE, n, argument);
+  else if (strcmp(command, "interval") == 0)
+    status = print_intervals(n, argument);
+  else if (strcmp(command, "map") == 0)
+    status = print_map(n, argument);
+  else {
+    fprintf(stderr, usage, argv[0]);
+    return 2;
+  }
+  if (fflush(stdout) != 0 || ferror(stdout)) {
+    fprintf(stderr, "the output cannot be written\n");
+    return 1;
+  }
+  return status;
+}

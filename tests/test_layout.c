@@ -1,0 +1,677 @@
+/* test_layout.c - what any layout must keep, and the closed forms of each
+ *
+ * Built once per layout, -DLAYOUT='"l1.c"' -o test-l1.  It includes the layout,
+ * so that it sees device(), func(), pvls() and the helpers of plugin.h, and
+ * stands in for AUTO's getp() and getmdmx_().
+ */
+#include LAYOUT
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "eigen.h"
+
+#undef abs
+#include <cmocka.h>
+
+enum { SAMPLES = 500, SLOTS = EIGEN_SLOTS, OWN = NDIM - GEAR_STATES };
+
+/* Fails with both numbers; NaN fails too. */
+#define assert_near(got, expected, tolerance)                                          \
+  do {                                                                                 \
+    const double got_ = (got), expected_ = (expected), tolerance_ = (tolerance);       \
+    if (!(fabs(got_ - expected_) <= tolerance_))                                       \
+      fail_msg("%s = %.17g, expected %.17g within %.2g", #got, got_, expected_, tolerance_); \
+  } while (0)
+
+static uint64_t random_state;
+
+static double uniform(double lo, double hi) /* splitmix64 */
+{
+  uint64_t z = random_state += 0x9e3779b97f4a7c15u;
+
+  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+  return lo + (hi - lo) * (double)((z ^ z >> 31) >> 11) * 0x1p-53;
+}
+
+static double log_uniform(double lo, double hi)
+{
+  return lo * pow(hi / lo, uniform(0., 1.));
+}
+
+/* ---- AUTO's part: an orbit on a mesh, and its monodromy matrix ------------ */
+
+static struct {
+  int intervals, per_interval, stride; /* no intervals: an equilibrium */
+  double width[64];                    /* of the mesh intervals, sum 1 */
+} mesh;
+
+static struct {
+  int known;
+  double P0[NDIM * NDIM], P1[NDIM * NDIM];
+} monodromy;
+
+doublereal getp(const char *code, integer ic, const doublereal *u)
+{
+  (void)u;
+  if (strcmp(code, "NTS") == 0)
+    return mesh.intervals;
+  if (strcmp(code, "NCO") == 0)
+    return mesh.per_interval;
+  if (strcmp(code, "NDX") == 0)
+    return mesh.stride;
+  if (strcmp(code, "DTM") == 0) {
+    if (mesh.intervals == 0)
+      return 0.;
+    if (ic >= 1 && ic <= mesh.intervals)
+      return mesh.width[ic - 1];
+  }
+  fail_msg("getp(\"%s\", %d): not AUTO's", code, ic);
+  return NAN;
+}
+
+void getmdmx_(const integer *ndim, double *P0, double *P1, int *known)
+{
+  assert_int_equal(*ndim, NDIM);
+  memcpy(P0, monodromy.P0, sizeof monodromy.P0);
+  memcpy(P1, monodromy.P1, sizeof monodromy.P1);
+  *known = monodromy.known;
+}
+
+/* ---- states and parameters -------------------------------------------------- */
+
+static int seed(void **state)
+{
+  (void)state;
+  random_state = 20170408;
+  memset(&mesh, 0, sizeof mesh);
+  memset(&monodromy, 0, sizeof monodromy);
+  return 0;
+}
+
+static void rates(const double par[], const double u[], double f[])
+{
+  func(NDIM, u, NULL, par, 0, f, NULL, NULL);
+}
+
+/* Every parameter of the gear off its default; a device of any kind. */
+static void random_parameters(double par[])
+{
+  for (int i = 0; i < SLOTS; i++)
+    par[i] = 0.;
+  mlg_defaults(par);
+#define X(slot, id, name, unit, value, range, meaning) par[PAR_##id] *= uniform(0.7, 1.3);
+  MLG_PARAMETERS(X)
+#undef X
+  par[PAR_V] = uniform(0., 200.);
+  par[PAR_PHI] = uniform(-0.3, 0.3);
+  par[PAR_C_D] = log_uniform(10., 1e6);
+  par[PAR_K_S] = log_uniform(1e4, 1e7);
+  par[PAR_B] = log_uniform(1., 1e3);
+}
+
+static void random_state_vector(double u[])
+{
+  for (int i = 0; i < NDIM; i++)
+    u[i] = uniform(-0.5, 0.5);
+  u[DDELTA] *= 10.;
+  u[DPSI] *= 20.;
+  u[LAMBDA_L] *= 0.16;
+  u[LAMBDA_R] *= 0.16;
+}
+
+/* The ends of the ranges that a continuation reaches. */
+static void limiting(double par[], int which)
+{
+  if (which & 1)
+    par[PAR_C_D] = 0.;
+  if (which & 2)
+    par[PAR_V] = 0.;
+  if (which & 4)
+    par[PAR_K_S] = MLG_RIGID;
+  if (which & 8)
+    par[PAR_B] = 0.;
+}
+
+/* ---- func() ------------------------------------------------------------------ */
+
+static void starts_at_straight_rolling(void **state)
+{
+  double par[SLOTS] = { 0. }, expected[SLOTS] = { 0. }, u[NDIM];
+
+  (void)state;
+  for (int i = 0; i < NDIM; i++)
+    u[i] = 1.;
+  stpnt(NDIM, 0., u, par);
+  mlg_defaults(expected);
+  for (int i = 0; i < NDIM; i++)
+    assert_near(u[i], 0., 0.);
+  for (int i = 0; i < SLOTS; i++)
+    assert_near(par[i], expected[i], 0.);
+}
+
+static void zero_is_an_equilibrium_at_every_speed(void **state)
+{
+  const double zero[NDIM] = { 0. };
+  double par[SLOTS], f[NDIM];
+
+  (void)state;
+  for (int n = 0; n < SAMPLES; n++) {
+    random_parameters(par);
+    limiting(par, n % 16);
+    rates(par, zero, f);
+    for (int i = 0; i < NDIM; i++)
+      assert_near(f[i], 0., 0.);
+  }
+}
+
+static void mirror(const double u[], double v[])
+{
+  for (int i = 0; i < NDIM; i++)
+    v[i] = -u[i];
+  v[LAMBDA_L] = -u[LAMBDA_R];
+  v[LAMBDA_R] = -u[LAMBDA_L];
+}
+
+static void mirror_symmetry(void **state)
+{
+  double par[SLOTS], u[NDIM], mirrored[NDIM], f[NDIM], expected[NDIM], got[NDIM];
+
+  (void)state;
+  for (int n = 0; n < SAMPLES; n++) {
+    random_parameters(par);
+    random_state_vector(u);
+    rates(par, u, f);
+    mirror(f, expected);
+    mirror(u, mirrored);
+    rates(par, mirrored, got);
+    for (int i = 0; i < NDIM; i++) /* accelerations are sums of terms of some 1e4 rad/s^2 */
+      assert_near(got[i], expected[i], 1e-13 * (fabs(expected[i]) + 1e4));
+  }
+}
+
+static void func_is_finite(void **state)
+{
+  double par[SLOTS], u[NDIM], f[NDIM];
+
+  (void)state;
+  for (int n = 0; n < 20 * SAMPLES; n++) {
+    random_parameters(par);
+    limiting(par, n % 16);
+    random_state_vector(u);
+    for (int upright = 0; upright < 2; upright++) {
+      if (upright) { /* the axle stands: the argument of asin in mu (16) is 1 to rounding, or past it */
+        const double sign = n & 16 ? 1. : -1.;
+
+        u[DELTA] = sign * MLG_PI / 2.;
+        u[PSI] = sign * par[PAR_PHI];
+      }
+      for (int i = 0; i < NDIM; i++)
+        f[i] = NAN;
+      rates(par, u, f);
+      for (int i = 0; i < NDIM; i++)
+        if (!isfinite(f[i]))
+          fail_msg("f[%d] = %g with c_d = %g, V = %g, k_s = %g, b = %g, delta = %.17g, psi = %.17g", i, f[i],
+                   par[PAR_C_D], par[PAR_V], par[PAR_K_S], par[PAR_B], u[DELTA], u[PSI]);
+    }
+  }
+}
+
+/* MODEL: M q'' + C q' + K q + D lambda + (0, T_d) = 0 at straight rolling, in
+ * closed form; the device by its own unit vectors. */
+static void linearisation_is_the_closed_form(void **state)
+{
+  double par[SLOTS], A[NDIM * NDIM], expected[NDIM * NDIM];
+
+  (void)state;
+  for (int n = 0; n < SAMPLES; n++) {
+    random_parameters(par);
+    const double s = sin(par[PAR_PHI]), c = cos(par[PAR_PHI]), a = par[PAR_A], g = par[PAR_G];
+    const double m_D = par[PAR_M_D], l_D = par[PAR_L_D], l = par[PAR_L], V = par[PAR_V];
+    const double F = (par[PAR_M] + m_D) * g, et = par[PAR_E] + par[PAR_R] * s;
+    const double length = par[PAR_L_DELTA] + par[PAR_R] * c;
+    const double m = a * a * m_D / 4., kap = a * a * par[PAR_K_T] / 2.;
+    const double M11 = par[PAR_J_XI] + m_D * l_D * l_D + m * c * c, M12 = m * c * s;
+    const double M22 = par[PAR_J_ZETA] + m * s * s, det = M11 * M22 - M12 * M12;
+    const double K11 = par[PAR_K_DELTA] - F * length * c + kap * c * c + m_D * g * l_D * c;
+    const double K12 = -F * et * c + kap * c * s, K22 = -F * et * s + kap * s * s;
+    const double D1 = F * (7. * par[PAR_K_LAMBDA] * length - par[PAR_K_ALPHA] * s) / l;
+    const double D2 = F * (7. * par[PAR_K_LAMBDA] * et + par[PAR_K_ALPHA] * c) / l;
+
+    for (int j = 0; j < NDIM; j++) {
+      double unit[NDIM] = { 0. }, *column = expected + NDIM * j;
+
+      for (int i = 0; i < NDIM; i++)
+        column[i] = 0.;
+      unit[j] = 1.;
+      const double T_d = device(par, unit, column);
+      const double on_delta = K11 * unit[DELTA] + K12 * unit[PSI] + par[PAR_C_DELTA] * unit[DDELTA]
+                              + D1 * (unit[LAMBDA_L] + unit[LAMBDA_R]) / 2.;
+      const double on_psi = K12 * unit[DELTA] + K22 * unit[PSI] + par[PAR_C_PSI] * unit[DPSI]
+                            + D2 * (unit[LAMBDA_L] + unit[LAMBDA_R]) / 2. + T_d;
+
+      column[DELTA] = unit[DDELTA];
+      column[PSI] = unit[DPSI];
+      column[DDELTA] = (-M22 * on_delta + M12 * on_psi) / det;
+      column[DPSI] = (M12 * on_delta - M11 * on_psi) / det;
+      for (int i = LAMBDA_L; i <= LAMBDA_R; i++)
+        column[i] = length * unit[DDELTA] + V * c * unit[PSI] + (et - par[PAR_H] * c) * unit[DPSI]
+                    - V / l * unit[i];
+    }
+    eigen_jacobian(par, A);
+    for (int j = 0; j < NDIM; j++) {
+      double largest = 0.;
+
+      for (int i = 0; i < NDIM; i++)
+        largest = fmax(largest, fabs(expected[i + NDIM * j]));
+      for (int i = 0; i < NDIM; i++)
+        assert_near(A[i + NDIM * j], expected[i + NDIM * j], 1e-13 * largest);
+    }
+  }
+}
+
+/* ---- device() ------------------------------------------------------------------ */
+
+/* x' = A x + B psi + B1 psi', T_d = C x + D psi + D1 psi', by unit vectors. */
+struct linear_device { double A[OWN * OWN], B[OWN], B1[OWN], C[OWN], D, D1; };
+
+static struct linear_device linear_device(const double par[])
+{
+  struct linear_device d;
+  double u[NDIM] = { 0. }, du[NDIM];
+
+  u[PSI] = 1.;
+  d.D = device(par, u, du);
+  memcpy(d.B, du + GEAR_STATES, sizeof d.B);
+  u[PSI] = 0.;
+  u[DPSI] = 1.;
+  d.D1 = device(par, u, du);
+  memcpy(d.B1, du + GEAR_STATES, sizeof d.B1);
+  u[DPSI] = 0.;
+  for (int j = 0; j < OWN; j++) {
+    u[GEAR_STATES + j] = 1.;
+    d.C[j] = device(par, u, du);
+    memcpy(d.A + OWN * j, du + GEAR_STATES, sizeof d.B);
+    u[GEAR_STATES + j] = 0.;
+  }
+  return d;
+}
+
+/* Dynamic stiffness T_d / psi at the angular frequency w. */
+static double _Complex stiffness(const double par[], double w)
+{
+  const struct linear_device d = linear_device(par);
+  double _Complex P[OWN * OWN], x[OWN], Z = d.D + I * w * d.D1;
+  lapack_int pivot[OWN];
+
+  for (int i = 0; i < OWN; i++) {
+    x[i] = d.B[i] + I * w * d.B1[i];
+    for (int j = 0; j < OWN; j++)
+      P[i + OWN * j] = (i == j ? I * w : 0.) - d.A[i + OWN * j];
+  }
+  assert_int_equal(LAPACKE_zgesv(LAPACK_COL_MAJOR, OWN, 1, P, OWN, pivot, x, OWN), 0);
+  for (int j = 0; j < OWN; j++)
+    Z += d.C[j] * x[j];
+  return Z;
+}
+
+/* The same in closed form; a layout unknown here has none. */
+static double _Complex closed_form(const double par[], double w)
+{
+  const double k_psi = par[PAR_K_PSI], k_s = par[PAR_K_S], k_d = par[PAR_K_D];
+  const double c_d = par[PAR_C_D], b = par[PAR_B];
+
+  if (strcmp(LAYOUT, "l1.c") == 0)
+    return 1. / (1. / k_psi + 1. / (k_d + I * w * c_d));
+  if (strcmp(LAYOUT, "l2.c") == 0)
+    return 1. / (1. / k_psi + 1. / k_s + 1. / (k_d + I * w * c_d));
+  if (strcmp(LAYOUT, "li1.c") == 0)
+    return 1. / (1. / k_psi + 1. / k_s + 1. / (k_d + I * w * c_d - w * w * b));
+  if (strcmp(LAYOUT, "li2.c") == 0)
+    return 1. / (1. / k_psi + 1. / (k_s - w * w * b) + 1. / (k_d + I * w * c_d));
+  return NAN;
+}
+
+static void device_is_linear(void **state)
+{
+  double par[SLOTS], u[NDIM], du[NDIM];
+
+  (void)state;
+  for (int n = 0; n < SAMPLES; n++) {
+    random_parameters(par);
+    random_state_vector(u);
+    const struct linear_device d = linear_device(par);
+    const double T_d = device(par, u, du);
+    double expected = d.D * u[PSI] + d.D1 * u[DPSI], scale = fabs(expected);
+
+    for (int j = 0; j < OWN; j++) {
+      expected += d.C[j] * u[GEAR_STATES + j];
+      scale += fabs(d.C[j] * u[GEAR_STATES + j]);
+    }
+    assert_near(T_d, expected, 1e-13 * scale);
+    for (int i = 0; i < OWN; i++) {
+      expected = d.B[i] * u[PSI] + d.B1[i] * u[DPSI];
+      scale = fabs(expected);
+      for (int j = 0; j < OWN; j++) {
+        expected += d.A[i + OWN * j] * u[GEAR_STATES + j];
+        scale += fabs(d.A[i + OWN * j] * u[GEAR_STATES + j]);
+      }
+      assert_near(du[GEAR_STATES + i], expected, 1e-13 * scale);
+    }
+  }
+}
+
+static void device_has_the_stiffness_of_its_layout(void **state)
+{
+  double par[SLOTS];
+
+  (void)state;
+  random_parameters(par);
+  if (isnan(creal(closed_form(par, 1.))))
+    skip();
+  for (int n = 0; n < SAMPLES; n++) {
+    random_parameters(par);
+    const int limits = n % 16; /* 0: none; else a layout may hold c_d or b off 0 a little */
+
+    limiting(par, limits);
+    const double w = limits ? log_uniform(0.1, 200.) : log_uniform(1e-2, 1e5);
+    const double _Complex Z = stiffness(par, w), expected = closed_form(par, w);
+    /* a resonance without loss multiplies what rounding leaves */
+    const double tolerance = (limits ? 1e-6 : 1e-10) * (eigen_abs(expected) + par[PAR_K_PSI]);
+
+    assert_near(creal(Z), creal(expected), tolerance);
+    assert_near(cimag(Z), cimag(expected), tolerance);
+  }
+}
+
+/* Power taken at frequency w is w |psi|^2 Im Z / 2. */
+static void device_gives_no_energy(void **state)
+{
+  double par[SLOTS];
+
+  (void)state;
+  for (int n = 0; n < SAMPLES; n++) {
+    random_parameters(par);
+    limiting(par, n % 16);
+    for (double w = 1e-2; w < 1e6; w *= 1.5) {
+      const double _Complex Z = stiffness(par, w);
+
+      if (!(cimag(Z) >= -1e-11 * (eigen_abs(Z) + par[PAR_K_PSI])))
+        fail_msg("Im Z = %g at w = %g, |Z| = %g", cimag(Z), w, eigen_abs(Z));
+    }
+  }
+}
+
+static void device_alone_is_stable(void **state)
+{
+  double par[SLOTS], re[OWN], im[OWN];
+
+  (void)state;
+  for (int n = 0; n < SAMPLES; n++) {
+    random_parameters(par);
+    limiting(par, n % 16);
+    struct linear_device d = linear_device(par);
+    double largest = 0.;
+
+    assert_int_equal(LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'N', OWN, d.A, OWN, re, im, NULL, OWN, NULL, OWN), 0);
+    for (int i = 0; i < OWN; i++)
+      largest = fmax(largest, hypot(re[i], im[i]));
+    for (int i = 0; i < OWN; i++)
+      assert_true(re[i] <= 1e-10 * largest);
+  }
+}
+
+/* ---- parameters that would detach the device ------------------------------------- */
+
+static int exit_status_with(int slot, double value)
+{
+  double par[SLOTS] = { 0. }, u[NDIM] = { 0. }, f[NDIM];
+  int status = -1;
+
+  mlg_defaults(par);
+  par[slot] = value;
+  fflush(NULL);
+  const pid_t child = fork();
+
+  if (child == 0) {
+    if (freopen("/dev/null", "w", stderr) == NULL)
+      _exit(99);
+    rates(par, u, f);
+    _exit(0);
+  }
+  assert_true(child > 0);
+  assert_int_equal(waitpid(child, &status, 0), child);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static void unusable_divisors_end_the_run(void **state)
+{
+  const int divisor[] = { PAR_K_S, PAR_K_PSI, PAR_L, PAR_ALPHA_M };
+
+  (void)state;
+  assert_int_equal(exit_status_with(PAR_V, 20.), 0);
+  for (size_t i = 0; i < sizeof divisor / sizeof *divisor; i++) {
+    assert_int_equal(exit_status_with(divisor[i], 0.), 2);
+    assert_int_equal(exit_status_with(divisor[i], -1.), 2);
+    assert_int_equal(exit_status_with(divisor[i], NAN), 2);
+  }
+}
+
+/* ---- pvls() ------------------------------------------------------------------------ */
+
+enum { INTERVALS = 20, PER_INTERVAL = 4, STRIDE = NDIM + 3 };
+
+/* psi and delta as sinusoids with an offset, at AUTO's mesh points. */
+struct sinusoid { double psi, psi_phase, psi_offset, delta, delta_phase, delta_offset; };
+
+static void synthetic_orbit(const struct sinusoid *orbit, double period, double u[])
+{
+  const double w = 2. * MLG_PI / period;
+  double sum = 0., t = 0.;
+
+  mesh.intervals = INTERVALS;
+  mesh.per_interval = PER_INTERVAL;
+  mesh.stride = STRIDE;
+  for (int i = 0; i < INTERVALS; i++)
+    sum += mesh.width[i] = uniform(0.5, 1.5);
+  for (int i = 0; i < INTERVALS; i++)
+    mesh.width[i] /= sum;
+  for (int j = 0; j <= INTERVALS * PER_INTERVAL; j++) {
+    double *v = u + (size_t)j * STRIDE;
+
+    for (int i = 0; i < STRIDE; i++)
+      v[i] = 1e6 * uniform(-1., 1.); /* what pvls must not read */
+    v[PSI] = orbit->psi_offset + orbit->psi * sin(w * t + orbit->psi_phase);
+    v[DPSI] = orbit->psi * w * cos(w * t + orbit->psi_phase);
+    v[DELTA] = orbit->delta_offset + orbit->delta * sin(w * t + orbit->delta_phase);
+    v[DDELTA] = orbit->delta * w * cos(w * t + orbit->delta_phase);
+    if (j < INTERVALS * PER_INTERVAL)
+      t += period * mesh.width[j / PER_INTERVAL] / PER_INTERVAL;
+  }
+}
+
+static void pvls_finds_the_peaks_of_an_orbit(void **state)
+{
+  static double u[(INTERVALS * PER_INTERVAL + 1) * STRIDE];
+  double par[SLOTS];
+
+  (void)state;
+  for (int n = 0; n < SAMPLES; n++) {
+    const struct sinusoid orbit = {
+      log_uniform(1e-6, 0.3), uniform(0., 2. * MLG_PI), 0.,
+      log_uniform(1e-6, 0.1), uniform(0., 2. * MLG_PI), n % 2 ? uniform(-0.01, 0.01) : 0.,
+    };
+
+    random_parameters(par);
+    par[PAR_PERIOD] = uniform(0.05, 0.2);
+    synthetic_orbit(&orbit, par[PAR_PERIOD], u);
+    pvls(NDIM, u, par);
+    assert_near(par[PAR_PSI_MAX], orbit.psi * 180. / MLG_PI, 1e-6 * orbit.psi * 180. / MLG_PI);
+    assert_near(par[PAR_DSTAR_MAX], (orbit.delta + orbit.delta_offset) * par[PAR_L_DELTA],
+                1e-6 * orbit.delta * par[PAR_L_DELTA]);
+    assert_near(par[PAR_TORUS], -1., 0.); /* monodromy unknown */
+    assert_near(par[PAR_F_Z], (par[PAR_M] + par[PAR_M_D]) * par[PAR_G], 0.);
+  }
+}
+
+/* P0 and P1 with -P1^-1 P0 = S B S^-1, S and P1 random. */
+static void set_monodromy(const double B[NDIM * NDIM])
+{
+  double S[NDIM * NDIM], SB[NDIM * NDIM], transposed[NDIM * NDIM], monodromy_t[NDIM * NDIM];
+  lapack_int pivot[NDIM];
+
+  for (int i = 0; i < NDIM; i++)
+    for (int j = 0; j < NDIM; j++) {
+      S[i + NDIM * j] = uniform(-1., 1.) + (i == j ? 4. : 0.);
+      monodromy.P1[i + NDIM * j] = uniform(-1., 1.) + (i == j ? 4. : 0.);
+    }
+  for (int i = 0; i < NDIM; i++)
+    for (int j = 0; j < NDIM; j++) {
+      SB[i + NDIM * j] = 0.;
+      for (int k = 0; k < NDIM; k++)
+        SB[i + NDIM * j] += S[i + NDIM * k] * B[k + NDIM * j];
+    }
+  /* X S = S B: solve with the transposes */
+  for (int i = 0; i < NDIM; i++)
+    for (int j = 0; j < NDIM; j++) {
+      transposed[j + NDIM * i] = S[i + NDIM * j];
+      monodromy_t[j + NDIM * i] = SB[i + NDIM * j];
+    }
+  assert_int_equal(LAPACKE_dgesv(LAPACK_COL_MAJOR, NDIM, NDIM, transposed, NDIM, pivot, monodromy_t, NDIM), 0);
+  for (int i = 0; i < NDIM; i++)
+    for (int j = 0; j < NDIM; j++) {
+      monodromy.P0[i + NDIM * j] = 0.;
+      for (int k = 0; k < NDIM; k++)
+        monodromy.P0[i + NDIM * j] -= monodromy.P1[i + NDIM * k] * monodromy_t[j + NDIM * k];
+    }
+  monodromy.known = 1;
+}
+
+/* Real multipliers on the diagonal, from 0.95 (a hiding neighbour of 1) down. */
+static void real_multipliers(double B[NDIM * NDIM])
+{
+  for (int i = 0; i < NDIM * NDIM; i++)
+    B[i] = 0.;
+  for (int i = 0; i < NDIM; i++)
+    B[i * (NDIM + 1)] = i == 0 ? 1. : 0.95 * pow(-0.3, i - 1);
+}
+
+static void pair(double B[NDIM * NDIM], int at, double modulus, double angle)
+{
+  B[at + NDIM * at] = B[at + 1 + NDIM * (at + 1)] = modulus * cos(angle);
+  B[at + 1 + NDIM * at] = modulus * sin(angle);
+  B[at + NDIM * (at + 1)] = -modulus * sin(angle);
+}
+
+static void pvls_at_an_equilibrium(void **state)
+{
+  double par[SLOTS] = { 0. }, u[NDIM], B[NDIM * NDIM];
+
+  (void)state;
+  real_multipliers(B);
+  pair(B, 4, 1.02, 0.7);
+  set_monodromy(B); /* of an orbit before: not to be used */
+  for (int n = 0; n < SAMPLES; n++) {
+    mlg_defaults(par);
+    random_state_vector(u);
+    pvls(NDIM, u, par);
+    assert_near(par[PAR_PSI_MAX], u[PSI] * 180. / MLG_PI, 1e-14);
+    assert_near(par[PAR_DSTAR_MAX], u[DELTA] * par[PAR_L_DELTA], 1e-16);
+    assert_near(par[PAR_TORUS], -1., 0.);
+    assert_near(par[PAR_F_Z], 200e3, 1e-10);
+  }
+}
+
+static void torus_is_the_largest_complex_multiplier(void **state)
+{
+  double B[NDIM * NDIM];
+
+  (void)state;
+  for (int n = 0; n < SAMPLES; n++) {
+    real_multipliers(B);
+    set_monodromy(B);
+    assert_near(orbit_torus(NDIM), -1., 0.); /* none complex */
+
+    pair(B, 4, 1.02, 0.7); /* in place of two small reals */
+    set_monodromy(B);
+    assert_near(orbit_torus(NDIM), 0.02, 1e-12);
+
+    pair(B, 2, 0.4, 2.5); /* a smaller pair beside it */
+    set_monodromy(B);
+    assert_near(orbit_torus(NDIM), 0.02, 1e-12);
+
+    real_multipliers(B);
+    B[NDIM + 1] = 1.5; /* a real one outside is no torus */
+    pair(B, 4, 0.99, -3.);
+    set_monodromy(B);
+    assert_near(orbit_torus(NDIM), -0.01, 1e-12);
+
+    real_multipliers(B);
+    pair(B, 0, 1.0001, 1e-3); /* 1 and a neighbour, split by rounding */
+    pair(B, 4, 0.8, 1.1);
+    set_monodromy(B);
+    assert_near(orbit_torus(NDIM), -0.2, 1e-12);
+
+    monodromy.known = 0;
+    assert_near(orbit_torus(NDIM), -1., 0.);
+    assert_near(orbit_torus(NDIM + 1), -1., 0.); /* an extended system, not the orbit */
+  }
+}
+
+/* ---- boundaries -------------------------------------------------------------------- */
+
+/* Zero-shimmy intervals of the paper, to the five digits known. */
+static void zero_shimmy_interval_of_the_paper(void **state)
+{
+  static const struct { const char *layout; double k_s, b, c_d[2]; } published[] = {
+    { "l1.c", MLG_RIGID, 0., { 2754.35, 3018.98 } },
+    { "l2.c", 7.86e5, 0., { 3813.91, 14032.51 } },
+    { "li1.c", 6.38e5, 140., { 2319.48, 13562.68 } },
+  };
+  const struct eigen_scan scan = { 0.1, 200., 0.5, 1e3, 3e4, 60 };
+  struct eigen_interval interval[2];
+  double par[SLOTS] = { 0. };
+  int known = 0;
+
+  (void)state;
+  for (size_t i = 0; i < sizeof published / sizeof *published; i++)
+    if (strcmp(LAYOUT, published[i].layout) == 0) {
+      mlg_defaults(par);
+      par[PAR_K_S] = published[i].k_s;
+      par[PAR_B] = published[i].b;
+      assert_int_equal(eigen_intervals(par, &scan, interval, 2), 1);
+      for (int end = 0; end < 2; end++) {
+        assert_false(interval[0].open[end]);
+        assert_near(interval[0].c_d[end], published[i].c_d[end], 1e-5 * published[i].c_d[end]);
+      }
+      known = 1;
+    }
+  if (!known)
+    skip();
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test_setup(starts_at_straight_rolling, seed),
+    cmocka_unit_test_setup(zero_is_an_equilibrium_at_every_speed, seed),
+    cmocka_unit_test_setup(mirror_symmetry, seed),
+    cmocka_unit_test_setup(func_is_finite, seed),
+    cmocka_unit_test_setup(linearisation_is_the_closed_form, seed),
+    cmocka_unit_test_setup(device_is_linear, seed),
+    cmocka_unit_test_setup(device_has_the_stiffness_of_its_layout, seed),
+    cmocka_unit_test_setup(device_gives_no_energy, seed),
+    cmocka_unit_test_setup(device_alone_is_stable, seed),
+    cmocka_unit_test_setup(unusable_divisors_end_the_run, seed),
+    cmocka_unit_test_setup(pvls_finds_the_peaks_of_an_orbit, seed),
+    cmocka_unit_test_setup(pvls_at_an_equilibrium, seed),
+    cmocka_unit_test_setup(torus_is_the_largest_complex_multiplier, seed),
+    cmocka_unit_test_setup(zero_shimmy_interval_of_the_paper, seed),
+  };
+
+  return cmocka_run_group_tests_name(LAYOUT, tests, NULL, NULL);
+}
