@@ -17,7 +17,7 @@ models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.ex
           $(layouts:%=build/bin/scan-%) build/bin/constants
 goals := $(or $(MAKECMDGOALS),figures)
 
-.PHONY: figures models fig06 fig07 targets test check-scripts setup clean distclean help always
+.PHONY: figures models fig06 fig07 targets test test-programs check-scripts setup clean distclean help always
 
 figures: fig06 fig07 ## every figure and the table of paper against computed values
 	@scripts/targets.sh
@@ -36,7 +36,7 @@ unexport AUTO_DIR
 endif
 
 build/auto.mk: always
-	@scripts/setup.sh $(if $(filter test,$(goals)),test,figures)
+	@scripts/setup.sh $(if $(filter test% check-scripts,$(goals)),test,figures)
 	@AUTO_DIR='$(auto_given)' scripts/build-auto.sh
 
 build/models/%.o: models/%.c build/auto.mk Makefile
@@ -80,6 +80,39 @@ fig07: $(fig07_runs) ## Figure 7: the (V, c_d) plane, layout L1
 fig06 fig07:
 	@scripts/$@.sh tables
 	@scripts/$@.sh draw
+
+# --- tests -----------------------------------------------------------------
+# One program for each tests/test_*.c; of test_layout.c one for each layout, and
+# beside it the oracle tests/eigen.c. They include the model, and nothing of AUTO
+# but its header.
+tests := $(filter-out build/tests/layout,$(patsubst tests/test_%.c,build/tests/%,$(wildcard tests/test_*.c)))
+layout_tests := $(layouts:%=build/tests/layout-%)
+oracles := $(layouts:%=build/bin/eigen-%)
+to_test = -Imodels -MMD -MP
+to_test_layout = $(to_test) -D_DEFAULT_SOURCE -isystem $(AUTO_INCLUDE) -DLAYOUT='"$*.c"'
+
+test: test-programs ## every test; tests/run.sh runs some of them
+	@tests/run.sh
+
+test-programs: $(models) $(tests) $(layout_tests) $(oracles)
+
+check-scripts: models ## shellcheck over every script and test
+	@tests/run.sh scripts
+
+$(tests): build/tests/%: tests/test_%.c build/auto.mk Makefile
+	@mkdir -p $(@D)
+	@echo "  $< -> $@"
+	@$(CC) $(TEST_CFLAGS) $(to_test) $< -o $@ -lcmocka -lm
+
+$(layout_tests): build/tests/layout-%: tests/test_layout.c models/%.c build/auto.mk Makefile
+	@mkdir -p $(@D)
+	@echo "  $< -> $@"
+	@$(CC) $(TEST_CFLAGS) $(to_test_layout) $< -o $@ -lcmocka -llapacke -llapack -lm
+
+$(oracles): build/bin/eigen-%: tests/eigen.c models/%.c build/auto.mk Makefile
+	@mkdir -p $(@D)
+	@echo "  $< -> $@"
+	@$(CC) $(CFLAGS) $(to_test_layout) $< -o $@ -llapacke -llapack -lm
 
 clean: ## the runs and the models; AUTO and its tarball stay
 	rm -rf build/runs build/tables build/models build/bin build/tests

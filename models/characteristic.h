@@ -63,9 +63,12 @@ static inline void gear_determinants(const double par[], double V, struct poly *
   *minor = poly_sum(poly_product(g.A11, g.tyre), poly_scaled(g.Ls, g.D1));
 }
 
-/* F for the device and gear of par; its V and c_d do not matter. */
+/* F for the device and gear of par; its V and c_d do not matter.  Being affine,
+ * F follows from its values at V and c_d of 0 and at V and c_d of the size of
+ * interest: between neighbouring values the difference would be rounding. */
 static inline struct characteristic characteristic(const double par[])
 {
+  const double V = 100., c_d = 1e4;
   double p[36];
   struct characteristic F;
   struct network Z[2];
@@ -73,17 +76,17 @@ static inline struct characteristic characteristic(const double par[])
 
   memcpy(p, par, sizeof p);
   for (int k = 0; k < 2; k++) {
-    p[PAR_C_D] = k;
+    p[PAR_C_D] = k * c_d;
     Z[k] = device_network(p);
-    gear_determinants(par, k, &whole[k], &minor[k]);
+    gear_determinants(par, k * V, &whole[k], &minor[k]);
   }
   for (int v = 0; v < 2; v++)
     for (int k = 0; k < 2; k++)
       F.f[v][k] = poly_sum(poly_product(Z[k].den, whole[v]), poly_product(Z[k].num, minor[v]));
   for (int k = 0; k < 2; k++)
-    F.f[1][k] = poly_sum(F.f[1][k], poly_scaled(F.f[0][k], -1.));
+    F.f[1][k] = poly_scaled(poly_sum(F.f[1][k], poly_scaled(F.f[0][k], -1.)), 1. / V);
   for (int v = 0; v < 2; v++)
-    F.f[v][1] = poly_sum(F.f[v][1], poly_scaled(F.f[v][0], -1.));
+    F.f[v][1] = poly_scaled(poly_sum(F.f[v][1], poly_scaled(F.f[v][0], -1.)), 1. / c_d);
   return F;
 }
 

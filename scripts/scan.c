@@ -2,6 +2,10 @@
  *
  *   scan-LAYOUT points    [NAME=VALUE ...]  boundary points at one k_s and b
  *   scan-LAYOUT intervals [NAME=VALUE ...]  zero-shimmy intervals of c_d there
+ *   scan-LAYOUT widest    [NAME=VALUE ...]  the widest of them over k_s
+ *   scan-LAYOUT regions   [NAME=VALUE ...]  all intervals over k_s, from AUTO's
+ *                         curves of boundary points on standard input
+ *   scan-LAYOUT check C_LO C_HI [NAME=VALUE ...]  status 0 if that is an interval
  *
  * NAME: a parameter of models/mlg.h, or compliance (1e5/k_s; 0 is rigid).
  * At fixed frequency omega every Hopf point (V, c_d) is the root of a quadratic
@@ -246,6 +250,23 @@ static int is_zero_shimmy(const struct characteristic *f, double c)
   return 1;
 }
 
+/* A zero-shimmy interval of c_d, and the speeds of its two bounds; hi = 0: none. */
+struct interval { double lo, hi, V_lo, V_hi; };
+
+/* The interval above point i of a list sorted by c_d, if it is a zero-shimmy
+ * one; i = -1 is the lower end of the range. */
+static struct interval interval_above(const struct characteristic *f, const struct points *list,
+                                      int i)
+{
+  const struct interval none = { 0., 0., 0., 0. };
+  const double lo = i < 0 ? c_least : list->point[i].c, V_lo = i < 0 ? 0. : list->point[i].V;
+  const int last = i + 1 == list->n;
+  const double hi = last ? c_most : list->point[i + 1].c, V_hi = last ? 0. : list->point[i + 1].V;
+
+  return hi > lo * (1. + 1e-9) && is_zero_shimmy(f, sqrt(lo * hi))
+         ? (struct interval){ lo, hi, V_lo, V_hi } : none;
+}
+
 static void print_points(const double par[])
 {
   const struct characteristic f = characteristic(par);
@@ -262,34 +283,44 @@ static void print_points(const double par[])
   free(list.point);
 }
 
-/* The widest zero-shimmy interval at one k_s and b; width 0 without any. */
-struct interval { double lo, hi, V_lo, V_hi; };
+static void print_intervals(const double par[])
+{
+  const struct characteristic f = characteristic(par);
+  const struct points list = boundary_points(&f);
 
+  printf("c_lo,c_hi,V_lo,V_hi,width\n");
+  for (int i = -1; i < list.n; i++) {
+    const struct interval z = interval_above(&f, &list, i);
+
+    if (z.hi > 0.)
+      printf("%.10g,%.10g,%.10g,%.10g,%.10g\n", z.lo, z.hi, z.V_lo, z.V_hi, z.hi - z.lo);
+  }
+  free(list.point);
+}
+
+/* The widest interval at one compliance. */
 static struct interval widest_at(double par[], double compliance)
 {
   struct characteristic f;
   struct points list;
   struct interval widest = { 0., 0., 0., 0. };
-  double lo = c_least, V_lo = 0.;
 
   par[PAR_K_S] = 1e5 / compliance;
   f = characteristic(par);
   list = boundary_points(&f);
-  for (int i = 0; i <= list.n; i++) {
-    const double hi = i < list.n ? list.point[i].c : c_most;
-    const double V_hi = i < list.n ? list.point[i].V : 0.;
+  for (int i = -1; i < list.n; i++) {
+    const struct interval z = interval_above(&f, &list, i);
 
-    if (hi - lo > widest.hi - widest.lo && is_zero_shimmy(&f, sqrt(lo * hi)))
-      widest = (struct interval){ lo, hi, V_lo, V_hi };
-    lo = hi;
-    V_lo = V_hi;
+    if (z.hi - z.lo > widest.hi - widest.lo)
+      widest = z;
   }
   free(list.point);
   return widest;
 }
 
 /* The widest interval over k_s at one b: a grid, then golden section about its
- * best node.  The width has a kink or a jump where another mechanism takes over. */
+ * best node.  The width has a kink or a jump where another mechanism takes over;
+ * the sweep sees a region only some way past its onset, so k_s is good to 1 %. */
 static void print_widest(double par[])
 {
   const double golden = 0.6180339887498949, step = 0.0025;
@@ -305,7 +336,7 @@ static void print_widest(double par[])
   }
   left = fmax(0., best - step);
   right = best + step;
-  for (int i = 0; i < 60; i++) {
+  for (int i = 0; i < 40; i++) {
     const double a = right - golden * (right - left), b = left + golden * (right - left);
     const struct interval wa = widest_at(par, a), wb = widest_at(par, b);
 
@@ -314,32 +345,132 @@ static void print_widest(double par[])
     else
       left = a;
   }
-  for (int side = 0; side < 2; side++) {
-    const double compliance = side ? right + 1e-7 : left - 1e-7;
+  w = widest_at(par, right);
+  printf("compliance,k_s,c_lo,c_hi,V_lo,V_hi,width\n%.10g,%.10g,%.10g,%.10g,%.10g,%.10g,%.10g\n",
+         right, 1e5 / right, w.lo, w.hi, w.V_lo, w.V_hi, w.hi - w.lo);
+}
 
-    w = widest_at(par, compliance);
-    printf("%.10g,%.10g,%.10g,%.10g,%.10g,%.10g,%.10g\n", par[PAR_B], compliance, 1e5 / compliance,
-           w.lo, w.hi, w.V_lo, w.V_hi);
+/* One row of AUTO's boundary-point curves. */
+struct row { int curve; double compliance; struct point point; };
+
+/* Rows "curve,compliance,c_d,V,frequency_hz" from standard input. */
+static struct row *read_rows(int *n)
+{
+  struct row *rows = NULL, r;
+  int room = 0;
+
+  *n = 0;
+  while (scanf("%d,%lf,%lf,%lf,%lf", &r.curve, &r.compliance, &r.point.c, &r.point.V,
+               &r.point.omega) == 5) {
+    r.point.omega *= 2. * MLG_PI;
+    r.point.extremum = MIN;
+    if (*n == room) {
+      room = room ? 2 * room : 1024;
+      rows = realloc(rows, (size_t)room * sizeof *rows);
+      if (!rows) {
+        fprintf(stderr, "scan: out of memory\n");
+        exit(1);
+      }
+    }
+    rows[(*n)++] = r;
+  }
+  if (!feof(stdin)) {
+    fprintf(stderr, "scan: row %d: expected curve,compliance,c_d,V,frequency_hz\n", *n + 1);
+    exit(2);
+  }
+  return rows;
+}
+
+/* The zero-shimmy intervals at one compliance. */
+enum { MOST_INTERVALS = 16 };
+struct region { double compliance; int n; struct interval interval[MOST_INTERVALS]; };
+
+/* Bounded by AUTO's curves: where they pass the compliance, refined there; what
+ * lies between is tested by Routh. */
+static struct region region_at(double par[], double compliance, const struct row *rows, int n)
+{
+  struct region region = { .compliance = compliance, .n = 0 };
+  struct points list = { NULL, 0, 0 };
+  struct characteristic f;
+
+  par[PAR_K_S] = 1e5 / compliance;
+  f = characteristic(par);
+  for (int i = 0; i + 1 < n; i++) {
+    const struct row *a = &rows[i], *b = &rows[i + 1];
+    const double t = (compliance - a->compliance) / (b->compliance - a->compliance);
+
+    if (a->curve == b->curve && t >= 0. && t <= 1.)
+      add_refined(&list, &f, (struct point){ a->point.omega + t * (b->point.omega - a->point.omega),
+                                             a->point.V + t * (b->point.V - a->point.V),
+                                             a->point.c * pow(b->point.c / a->point.c, t), MIN });
+  }
+  if (list.n > 1)
+    qsort(list.point, (size_t)list.n, sizeof *list.point, by_c);
+  for (int i = -1; i < list.n && region.n < MOST_INTERVALS; i++) {
+    const struct interval z = interval_above(&f, &list, i);
+
+    if (z.hi > 0.)
+      region.interval[region.n++] = z;
+  }
+  free(list.point);
+  return region;
+}
+
+static void print_region(const struct region *r)
+{
+  for (int i = 0; i < r->n; i++) {
+    const struct interval *z = &r->interval[i];
+
+    printf("%.10g,%.8g,%.8g,%.8g,%.6g,%.6g,%.8g\n", r->compliance, 1e5 / r->compliance, z->lo, z->hi,
+           z->V_lo, z->V_hi, z->hi - z->lo);
   }
 }
 
-static void print_intervals(const double par[])
+/* The same over the compliance from 0.35 down to 0 (k_s from 2.9e5 to rigid), in
+ * steps of 1 %; where an interval appears or ends between two of them, both
+ * sides of that place are found by bisection. */
+static void print_regions(double par[])
+{
+  int n;
+  struct row *rows = read_rows(&n);
+  struct region last;
+
+  printf("compliance,k_s,c_lo,c_hi,V_lo,V_hi,width\n");
+  last = region_at(par, 0.35, rows, n);
+  print_region(&last);
+  for (int i = 1; i <= 400; i++) {
+    const struct region next = region_at(par, i < 400 ? 0.35 * pow(1.01, -i) : 0., rows, n);
+
+    if (next.n != last.n) {
+      struct region a = last, b = next;
+
+      while (a.compliance - b.compliance > 1e-6 * a.compliance) {
+        const struct region middle = region_at(par, 0.5 * (a.compliance + b.compliance), rows, n);
+
+        if (middle.n == last.n)
+          a = middle;
+        else
+          b = middle;
+      }
+      print_region(&a);
+      print_region(&b);
+    }
+    print_region(&next);
+    last = next;
+  }
+  free(rows);
+}
+
+/* Whether (c_lo, c_hi) is a zero-shimmy interval and cannot be made longer, by
+ * Routh's test over V: inside right up to the ends, and just outside. */
+static int is_whole_interval(const double par[], double c_lo, double c_hi)
 {
   const struct characteristic f = characteristic(par);
-  const struct points list = boundary_points(&f);
-  double lo = c_least, V_lo = 0.;
 
-  printf("c_lo,c_hi,V_lo,V_hi,width\n");
-  for (int i = 0; i <= list.n; i++) {
-    const double hi = i < list.n ? list.point[i].c : c_most;
-    const double V_hi = i < list.n ? list.point[i].V : 0.;
-
-    if (hi > lo * (1. + 1e-9) && is_zero_shimmy(&f, sqrt(lo * hi)))
-      printf("%.10g,%.10g,%.10g,%.10g,%.10g\n", lo, hi, V_lo, V_hi, hi - lo);
-    lo = hi;
-    V_lo = V_hi;
-  }
-  free(list.point);
+  for (int i = 0; i <= 16; i++)
+    if (!is_zero_shimmy(&f, c_lo * (1. + 1e-6) * pow(c_hi / c_lo * (1. - 2e-6), i / 16.)))
+      return 0;
+  return !is_zero_shimmy(&f, c_lo * 0.998) && !is_zero_shimmy(&f, c_hi * 1.002);
 }
 
 static void set(double par[], const char *text)
@@ -374,18 +505,24 @@ static void set(double par[], const char *text)
 int main(int argc, char *argv[])
 {
   double par[36] = { 0. };
+  const char *what = argc > 1 ? argv[1] : "";
+  const int check = strcmp(what, "check") == 0;
 
   mlg_defaults(par);
-  for (int i = 2; i < argc; i++)
+  for (int i = check ? 4 : 2; i < argc; i++)
     set(par, argv[i]);
-  if (argc > 1 && strcmp(argv[1], "points") == 0)
+  if (strcmp(what, "points") == 0)
     print_points(par);
-  else if (argc > 1 && strcmp(argv[1], "intervals") == 0)
+  else if (strcmp(what, "intervals") == 0)
     print_intervals(par);
-  else if (argc > 1 && strcmp(argv[1], "widest") == 0)
+  else if (strcmp(what, "widest") == 0)
     print_widest(par);
+  else if (strcmp(what, "regions") == 0)
+    print_regions(par);
+  else if (check && argc > 3)
+    return !is_whole_interval(par, strtod(argv[2], NULL), strtod(argv[3], NULL));
   else {
-    fprintf(stderr, "usage: scan points|intervals [NAME=VALUE ...]\n");
+    fprintf(stderr, "usage: scan points|intervals|widest|regions|check C_LO C_HI [NAME=VALUE ...]\n");
     return 2;
   }
   return 0;

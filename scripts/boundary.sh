@@ -1,0 +1,186 @@
+# shellcheck shell=bash
+# boundary.sh - runs of the algebraic boundary problem (models/boundary.h);
+# sourced after lib.sh by the scripts of Figures 10, 13 and 15.
+
+# The points of scan-LAYOUT at one compliance and b, without the edges, as
+# "V c_d frequency extremum shimmy" a line, by rising c_d.
+scan_points() { # LAYOUT COMPLIANCE B
+  build
+  "build/bin/scan-$1" points compliance="$2" b="$3" \
+    | awk -F, 'NR > 1 && $4 != "edge" { print $2, $1, $3, $4, $5 }'
+}
+
+# U of the boundary problem from points "V c_d frequency" and more unknowns.
+unknowns() { # "POINT" ... [NAME=VALUE ...]
+  printf '%s\n' "$@" | awk '
+    /=/ { split($0, pair, "="); text = text sprintf(", \x27%s\x27: %s", pair[1], pair[2]); next }
+    { n++
+      text = text sprintf("%s\x27omega_%d\x27: %.12g, \x27speed_%d\x27: %.12g, \x27logc_%d\x27: %.12g",
+        n > 1 ? ", " : "", n, $3 * 2 * atan2(0, -1) / 10, n, $1 / 10, n, log($2) / log(10)) }
+    END { print "U={" text "}" }'
+}
+
+# Whether a point lies on one of the runs' curves at that compliance.
+is_known() { # COMPLIANCE "POINT" RUN...
+  local compliance=$1 point=$2 run files=()
+  shift 2
+  for run; do files+=("build/runs/$run/b.$run"); done
+  [ $# -gt 0 ] && awk -v at="$compliance" -v point="$point" -f scripts/auto.awk -f <(echo '
+    function log10(x) { return log(x) / log(10) }
+    BEGIN { split(point, p, " ") }
+    { k = value["compliance"]; c = log10(value["c_1"]); f = value["f_1"]
+      if (FILENAME == file && (k - at) * (k_was - at) <= 0 && k != k_was) {
+        t = (at - k_was) / (k - k_was)
+        if ((c_was + t * (c - c_was) - log10(p[2])) ^ 2 < 1e-5 && (f_was + t * (f - f_was) - p[3]) ^ 2 < 1e-3) found = 1
+      }
+      file = FILENAME; k_was = k; c_was = c; f_was = f }
+    END { exit !found }') "${files[@]}"
+}
+
+# All curves of boundary points of one layout and b over the compliance: from
+# every point of a scan at several compliances that is on no curve yet, both
+# ways.  build/runs/boundary.LAYOUT.bB.curves lists their runs.
+boundary_curves() { # LAYOUT B [KEY=VALUE ...]
+  local layout=$1 b=$2 compliance point run n=0 curves=()
+  shift 2
+  for compliance in 0 0.02 0.05 0.1 0.15 0.2 0.25 0.3 0.34; do
+    while read -r point; do
+      if is_known "$compliance" "$point" "${curves[@]}"; then continue; fi
+      n=$((n + 1))
+      for way in up down; do
+        [ "$way" = up ] || [ "$compliance" != 0 ] || continue
+        run=boundary.$layout.b$b.$n.$way
+        run "$run" boundary.point model="$layout.boundary" "$(unknowns "$point")" \
+          compliance="$compliance" b="$b" DS="$([ $way = up ] && echo 0.002 || echo -0.002)" "$@" --
+        curves+=("$run")
+      done
+    done < <(scan_points "$layout" "$compliance" "$b")
+  done
+  printf '%s\n' "${curves[@]}" > "build/runs/boundary.$layout.b$b.curves"
+}
+
+curves_of() { # LAYOUT B: the b. files of its curves
+  local list="build/runs/boundary.$1.b$2.curves"
+  [ -f "$list" ] || fail "$figure: the boundary points of $1 at b = $2 have not been made; scripts/$figure.sh runs makes them"
+  sed 's|.*|build/runs/&/b.&|' "$list"
+}
+
+# --- tables -------------------------------------------------------------------
+
+# Opens results/FIGURE.csv for regions, and the figure's parts of
+# boundary_points.csv and widths.csv; end_regions puts all in place.
+begin_regions() {
+  begin_table "results/$figure.csv" \
+    "# Zero-shimmy intervals of c_d over V in 0..200 m/s. b N m s^2/rad; k_s N m/rad (inf: rigid); c_lo, c_hi," \
+    "# width N m s/rad; V_lo, V_hi m/s, where the bounds are. From AUTO's curves, each row tested by Routh over V." \
+    layout,b,k_s,c_lo,c_hi,V_lo,V_hi,width
+  boundary_table=build/tables/boundary.$figure.csv
+  widths_table=build/tables/widths.$figure.csv
+  : > "$boundary_table.new"
+  : > "$widths_table.new"
+}
+
+end_regions() {
+  end_table
+  replace "$boundary_table"
+  replace "$widths_table"
+}
+
+# The curves of one layout and b: their rows, their special points, the regions.
+boundary_points() { # FIGURE_NUMBER LAYOUT B
+  local files
+  mapfile -t files < <(curves_of "$2" "$3")
+  awk -v layout="$2" -v b="$3" -v every=4 -f scripts/auto.awk -f scripts/boundary.awk "${files[@]}" \
+    >> "$boundary_table.new"
+  awk -v figure="$1" -v layout="$2" -v b="$3" -f scripts/auto.awk -f <(echo '
+    type == "LP" || (type == "UZ" && (value["compliance"] - asked) ^ 2 < 1e-18) {
+      run = FILENAME; sub(/.*\/b\./, "", run)
+      printf "%s,%s,%s,%s,%.8g,%.8g,%.8g,%s,%.5f,,\n", figure, layout, run, type, value["V_1"], value["c_1"], 1e5 / value["compliance"], b, value["f_1"]
+    }') asked="${asked:-0}" "${files[@]}" >> "$points_table.new"
+  awk -f scripts/auto.awk -f <(echo '
+    FILENAME != file { curve++; file = FILENAME }
+    { printf "%d,%.14g,%.14g,%.14g,%.14g\n", curve, value["compliance"], value["c_1"], value["V_1"], value["f_1"] }') \
+    "${files[@]}" | "build/bin/scan-$2" regions b="$3" \
+    | awk -F, -v layout="$2" -v b="$3" 'NR > 1 { print layout "," b "," $2 "," $3 "," $4 "," $5 "," $6 "," $7 }' \
+    >> "$table.new"
+}
+
+# The points "V c_d frequency" of one labelled solution of a run, one a line,
+# then "kappa=..": TYPE=LP the first LP, TYPE=last the last solution.
+solution() { # RUN TYPE
+  awk -v want="$2" -f scripts/auto.awk -f <(echo '
+    want == "last" || (type == want && !n) {
+      n = 0
+      for (i = 1; ("V_" i) in value; i++)
+        place[++n] = sprintf("%.14g %.14g %.14g", value["V_" i], value["c_" i], value["f_" i])
+      kappa = value["compliance"]; b = value["b"]
+    }
+    END { for (i = 1; i <= n; i++) print place[i]; printf "kappa=%.14g\nb=%.14g\n", kappa, b }') \
+    "build/runs/$1/b.$1"
+}
+
+# --- the widest interval over k_s, in b --------------------------------------
+
+# The run of boundary_curves on which the delta region is born that limits the
+# interval from above in k_s: the onset with the largest k_s.
+onset_of() { # LAYOUT B
+  local files
+  mapfile -t files < <(curves_of "$1" "$2")
+  awk -f scripts/auto.awk -f <(echo '
+    type == "LP" && value["ratio_1"] > 1 && (best == "" || value["compliance"] < best) { best = value["compliance"]; file = FILENAME }
+    END { sub(/.*\/b\./, "", file); print file }') "${files[@]}"
+}
+
+# BP1 and BP3 at kappa=COMPLIANCE, as two lines.
+low_and_high() { # LAYOUT B kappa=COMPLIANCE
+  scan_points "$1" "${3#kappa=}" "$2" | awk '
+    $4 == "max" && $5 == "psi" && $3 < 9 { low = $1 " " $2 " " $3 }
+    $4 == "min" && $5 == "psi" && !high { high = $1 " " $2 " " $3 }
+    END { print low; print high }'
+}
+
+# The top of the third psi region at kappa=COMPLIANCE.
+third() { # LAYOUT B kappa=COMPLIANCE
+  scan_points "$1" "${3#kappa=}" "$2" | awk '$4 == "max" && $5 == "psi" && $3 > 9 { print $1, $2, $3; exit }'
+}
+
+# Stops of a run in b: at the end of the range, and where a test passes zero.
+stop_at() { # TEST: ZERO
+  echo "UZSTOP={'b': 300.0, $1}"
+}
+
+# A run in b from points and unknowns; it reports the multiples of 10.
+widths() { # LAYOUT NUMBER CONSTANTS "POINT"... kappa=.. b=.. [KEY=VALUE ...]
+  local layout=$1 name=$figure.width.$2 constants=$3 start=() settings=()
+  shift 3
+  while [ $# -gt 0 ]; do
+    case $1 in
+      kappa=*) start+=("$1") ;;
+      *=*) settings+=("$1") ;;
+      *) start+=("$1") ;;
+    esac
+    shift
+  done
+  mapfile -t start < <(printf '%s\n' "${start[@]}")
+  run "$name" "$constants" model="$layout.boundary" "$(unknowns "${start[@]}")" "${settings[@]}" \
+    UZR="{'b': [$(seq -s ', ' 0 10 290)]}" --
+}
+
+# Rows of widths.csv from the runs PREFIX.1, PREFIX.2, ...: the multiples of 10
+# of b and the points where the limit changes hands.  Every interval is tested
+# by Routh over V, a hair on the softer side of the onset that limits it.
+width_rows() { # LAYOUT PREFIX
+  local run row b k_s c_lo c_hi
+  for run in build/runs/"$2".*/; do
+    run=$(basename "$run")
+    case $run in *.lock | *.part) continue ;; esac
+    awk -v layout="$1" -f scripts/auto.awk -f scripts/widths.awk "build/runs/$run/b.$run"
+  done > "$widths_table.rows"
+  while read -r row; do
+    IFS=, read -r _ b k_s c_lo c_hi _ <<< "$row"
+    "build/bin/scan-$1" check "$c_lo" "$c_hi" b="$b" k_s="$(awk -v k="$k_s" 'BEGIN { printf "%.12g", k * (1 - 1e-7) }')" \
+      || fail "widths of $1, b = $b: ($c_lo, $c_hi) at k_s = $k_s is not a zero-shimmy interval"
+    echo "$row"
+  done < "$widths_table.rows" >> "$widths_table.new"
+  rm "$widths_table.rows"
+}

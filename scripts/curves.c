@@ -1,0 +1,420 @@
+/* curves - every Hopf curve in the (V, c_d) plane, as starting points for AUTO
+ *
+ *   curves-LAYOUT [NAME=VALUE ...]      NAME: a parameter of models/mlg.h
+ *
+ * At fixed frequency omega the Hopf points (V, c_d) are the two roots of a
+ * quadratic (models/characteristic.h).  Over omega each root runs along a curve;
+ * both meet where the discriminant vanishes, a fold in omega.  Stretches inside
+ * the plane joined at the folds are whole curves: open ones from edge to edge of
+ * the plane, closed ones from fold to fold and back.  None can be missed, however
+ * small: the discriminant is searched for every change of its sign.
+ *
+ * Prints CSV, one curve a line:
+ *   curve    number
+ *   kind     open or closed
+ *   shimmy   psi or delta: the eigenvector where c_d has its first extremum
+ *            along the curve, or halfway
+ *   c_d, V   where to start: just inside an edge; closed: beside a fold
+ *   way      1 if c_d rises from there along the curve, -1 if it falls
+ *   stop     closed: the period, s, at which the curve has come round once
+ *   length   of the curve, 1 m/s counting as 1000 N m s/rad
+ *   V_range  how far the curve extends in V, m/s
+ *   extrema  how often c_d has an extremum on the way
+ * Bad input: one line, status 2.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define MLG_NO_AUTO
+#include LAYOUT
+#include "characteristic.h"
+
+/* the plane, m/s and N m s/rad: UZSTOP of constants/c.LAYOUT.hopf */
+static const double V_least = 0.1, V_most = 200., c_least = 10., c_most = 8e4;
+static const double f_least = 0.5, f_most = 40., f_step = 0.002; /* Hz */
+
+/* --- Hopf points at one frequency ------------------------------------------- */
+
+struct sample { double omega, D, c[2], V[2]; int fold; };
+
+static struct sample sample(const struct characteristic *f, double omega)
+{
+  const double _Complex s = omega * I;
+  const double _Complex a = poly_value(&f->f[0][0], s), b = poly_value(&f->f[0][1], s);
+  const double _Complex g = poly_value(&f->f[1][0], s), d = poly_value(&f->f[1][1], s);
+  /* V = -(a + b c) / (g + d c) is real */
+  const double q0 = cimag(a * conj(g)), q1 = cimag(a * conj(d) + b * conj(g)), q2 = cimag(b * conj(d));
+  struct sample p = { omega, q1 * q1 - 4. * q0 * q2, { 0., 0. }, { 0., 0. }, 0 };
+
+  if (p.D >= 0.) {
+    const int big = q1 < 0.; /* which root is safe from cancellation */
+    const double q = big ? -q1 + sqrt(p.D) : -q1 - sqrt(p.D);
+
+    p.c[big] = q / (2. * q2);
+    p.c[!big] = 2. * q0 / q;
+    for (int k = 0; k < 2; k++)
+      p.V[k] = -creal((a + b * p.c[k]) / (g + d * p.c[k]));
+  }
+  return p;
+}
+
+static int inside(double V, double c, double margin)
+{
+  return V > V_least * (1. + margin) && V < V_most * (1. - margin)
+         && c > c_least * (1. + margin) && c < c_most * (1. - margin);
+}
+
+static int is_inside(const struct sample *p, int k)
+{
+  return p->D >= 0. && inside(p->V[k], p->c[k], 1e-5);
+}
+
+/* --- samples over the frequency, folds among them ---------------------------- */
+
+struct samples { struct sample *sample; int n, room; };
+
+static void *grown(void *list, int *room, size_t size)
+{
+  *room = *room ? 2 * *room : 64;
+  list = realloc(list, (size_t)*room * size);
+  if (!list) {
+    fprintf(stderr, "curves: out of memory\n");
+    exit(1);
+  }
+  return list;
+}
+
+static void add_sample(struct samples *list, struct sample p)
+{
+  if (list->n == list->room)
+    list->sample = grown(list->sample, &list->room, sizeof *list->sample);
+  list->sample[list->n++] = p;
+}
+
+/* Adds what lies after the last sample up to p, as finely as the curves move. */
+static void add_finely(struct samples *list, const struct characteristic *f, struct sample p, int depth)
+{
+  const struct sample last = list->n ? list->sample[list->n - 1] : p;
+  int far = 0;
+
+  for (int k = 0; k < 2; k++)
+    if (last.D >= 0. && p.D >= 0. && (is_inside(&last, k) || is_inside(&p, k)))
+      far |= fabs(p.V[k] - last.V[k]) > 2. || fabs(p.c[k] - last.c[k]) > 0.1 * fabs(p.c[k]);
+  if (far && depth > 0) {
+    add_finely(list, f, sample(f, 0.5 * (last.omega + p.omega)), depth - 1);
+    add_finely(list, f, p, depth - 1);
+  } else
+    add_sample(list, p);
+}
+
+/* Adds p, and before it the fold between it and the last one. */
+static void add_with_fold(struct samples *list, const struct characteristic *f, struct sample p)
+{
+  if (list->n && (list->sample[list->n - 1].D >= 0.) != (p.D >= 0.)) {
+    struct sample in = p, out = list->sample[list->n - 1];
+
+    if (p.D < 0.) {
+      out = p;
+      in = list->sample[list->n - 1];
+    }
+    for (int i = 0; i < 60; i++) {
+      const struct sample middle = sample(f, 0.5 * (in.omega + out.omega));
+
+      if (middle.D >= 0.)
+        in = middle;
+      else
+        out = middle;
+    }
+    in.fold = 1;
+    add_finely(list, f, in, 30);
+  }
+  add_finely(list, f, p, 30);
+}
+
+/* The extremum of D between l and r; sign = 1: maximum, -1: minimum. */
+static struct sample extremum_of_D(const struct characteristic *f, double l, double r, double sign)
+{
+  const double golden = 0.6180339887498949;
+
+  for (int i = 0; i < 50; i++) {
+    const double a = r - golden * (r - l), b = l + golden * (r - l);
+
+    if (sign * sample(f, a).D > sign * sample(f, b).D)
+      r = b;
+    else
+      l = a;
+  }
+  return sample(f, 0.5 * (l + r));
+}
+
+static struct samples all_samples(const struct characteristic *f)
+{
+  struct samples list = { NULL, 0, 0 };
+  struct sample before = { 0 }, last = { 0 };
+
+  for (double frequency = f_least; frequency <= f_most; frequency += f_step) {
+    const struct sample now = sample(f, 2. * MLG_PI * frequency);
+
+    if (before.omega > 0. && (before.D >= 0.) == (last.D >= 0.) && (last.D >= 0.) == (now.D >= 0.)) {
+      const double sign = last.D < 0. ? 1. : -1.;
+
+      if (sign * (last.D - before.D) > 0. && sign * (last.D - now.D) > 0.) {
+        const struct sample peak = extremum_of_D(f, before.omega, now.omega, sign);
+
+        if ((peak.D >= 0.) != (last.D >= 0.)) { /* a curve, or a gap, between the samples */
+          if (peak.omega < last.omega)
+            list.n--; /* last comes after it */
+          add_with_fold(&list, f, peak);
+          if (peak.omega < last.omega)
+            add_with_fold(&list, f, last);
+        }
+      }
+    }
+    add_with_fold(&list, f, now);
+    before = last;
+    last = now;
+  }
+  return list;
+}
+
+/* --- stretches of a root inside the plane, joined at folds ------------------- */
+
+struct stretch {
+  int root;
+  double omega[2];   /* its two ends */
+  int fold[2];       /* the fold's place among the samples, or -1: an edge */
+  int used;
+};
+
+struct stretches { struct stretch *stretch; int n, room; };
+
+/* The end at an edge: between a sample inside and one outside. */
+static double edge(const struct characteristic *f, int k, double in, double out)
+{
+  for (int i = 0; i < 60; i++) {
+    const double middle = 0.5 * (in + out);
+    const struct sample p = sample(f, middle);
+
+    if (is_inside(&p, k))
+      in = middle;
+    else
+      out = middle;
+  }
+  return in;
+}
+
+static struct stretches all_stretches(const struct characteristic *f, const struct samples *list)
+{
+  struct stretches all = { NULL, 0, 0 };
+
+  for (int k = 0; k < 2; k++)
+    for (int i = 0; i < list->n; i++) {
+      const struct sample *p = list->sample;
+      struct stretch s = { k, { p[i].omega, 0. }, { -1, -1 }, 0 };
+
+      if (!is_inside(&p[i], k))
+        continue;
+      if (p[i].fold)
+        s.fold[0] = i;
+      else if (i > 0)
+        s.omega[0] = edge(f, k, p[i].omega, p[i - 1].omega);
+      while (i + 1 < list->n && is_inside(&p[i + 1], k))
+        i++;
+      s.omega[1] = p[i].omega;
+      if (p[i].fold)
+        s.fold[1] = i;
+      else if (i + 1 < list->n)
+        s.omega[1] = edge(f, k, p[i].omega, p[i + 1].omega);
+      if (all.n == all.room)
+        all.stretch = grown(all.stretch, &all.room, sizeof *all.stretch);
+      all.stretch[all.n++] = s;
+    }
+  return all;
+}
+
+/* The other stretch that ends at the same fold, and which of its ends. */
+static struct stretch *joined(const struct stretches *all, const struct stretch *s, int end, int *entry)
+{
+  for (int i = 0; i < all->n; i++)
+    for (int e = 0; e < 2; e++)
+      if (&all->stretch[i] != s && s->fold[end] >= 0 && all->stretch[i].fold[e] == s->fold[end]) {
+        *entry = e;
+        return &all->stretch[i];
+      }
+  return NULL;
+}
+
+/* --- a whole curve ------------------------------------------------------------ */
+
+struct point { double omega, V, c, slope; };
+
+enum { POINTS = 256 }; /* on a stretch, closer towards its ends */
+
+struct curve { struct point *point; int n, room, closed; };
+
+static struct point point_on(const struct characteristic *f, double omega, int k)
+{
+  const struct sample p = sample(f, omega);
+  const struct jet j = jet(f, omega * I, p.V[k], p.c[k]);
+
+  return (struct point){ omega, p.V[k], p.c[k], extremum_sine(&j, I, j.F_V) };
+}
+
+/* Follows the stretches from one end of s until an edge, or once round. */
+static struct curve follow(const struct characteristic *f, const struct stretches *all,
+                           struct stretch *s, int entry)
+{
+  struct curve curve = { NULL, 0, 0, 0 };
+  const struct stretch *first = s;
+
+  do {
+    const double from = s->omega[entry], to = s->omega[!entry];
+
+    s->used = 1;
+    for (int i = 0; i <= POINTS; i++) {
+      double t = 0.5 * (1. - cos(MLG_PI * i / POINTS));
+
+      /* at a fold both roots meet: stay where the square root is real */
+      if (i == 0)
+        t = 1e-9;
+      else if (i == POINTS)
+        t = 1. - 1e-9;
+      if (curve.n == curve.room)
+        curve.point = grown(curve.point, &curve.room, sizeof *curve.point);
+      curve.point[curve.n++] = point_on(f, from + t * (to - from), s->root);
+    }
+    s = joined(all, s, !entry, &entry);
+  } while (s && s != first);
+  curve.closed = s != NULL;
+  return curve;
+}
+
+static void reverse(struct curve *curve)
+{
+  for (int i = 0, j = curve->n - 1; i < j; i++, j--) {
+    const struct point p = curve->point[i];
+
+    curve->point[i] = curve->point[j];
+    curve->point[j] = p;
+  }
+}
+
+/* Where to start: the index of a point, on a closed curve beside its first
+ * point.  A straight run has to cross the curve there. */
+static int start_of(const struct curve *curve) { return curve->closed ? 8 : 0; }
+
+static double crossing(const struct curve *curve)
+{
+  return fabs(curve->point[start_of(curve)].slope);
+}
+
+/* Whole curves: the open ones first. */
+static struct curve *all_curves(const struct characteristic *f, int *n)
+{
+  struct samples samples = all_samples(f);
+  struct stretches all = all_stretches(f, &samples);
+  struct curve *curves = NULL;
+  int room = 0;
+
+  *n = 0;
+  for (int closed = 0; closed < 2; closed++)
+    for (int i = 0; i < all.n; i++) {
+      struct stretch *s = &all.stretch[i];
+      int entry = 0;
+      struct curve curve;
+
+      if (s->used || (!closed && s->fold[0] >= 0 && s->fold[1] >= 0))
+        continue;
+      if (closed) /* what is left is closed: from its fold of lowest or highest omega */
+        for (int j = i; j < all.n; j++)
+          if (!all.stretch[j].used && all.stretch[j].omega[0] < s->omega[0])
+            s = &all.stretch[j];
+      if (!closed && s->fold[0] >= 0)
+        entry = 1;
+      curve = follow(f, &all, s, entry);
+      if (!closed) {
+        const double here = crossing(&curve);
+
+        reverse(&curve);
+        if (crossing(&curve) < here)
+          reverse(&curve);
+      }
+      if (*n == room)
+        curves = grown(curves, &room, sizeof *curves);
+      curves[(*n)++] = curve;
+    }
+  free(samples.sample);
+  free(all.stretch);
+  return curves;
+}
+
+static void print_curve(const double par[], const struct curve *curve, int number)
+{
+  const struct point *p = curve->point;
+  const int start = start_of(curve), steady = start + 1;
+  double length = 0., lowest = p[0].V, highest = p[0].V;
+  int extrema = 0, shown = curve->n / 2;
+
+  for (int i = 1; i < curve->n; i++) {
+    length += hypot(p[i].V - p[i - 1].V, 1e-3 * (p[i].c - p[i - 1].c));
+    lowest = fmin(lowest, p[i].V);
+    highest = fmax(highest, p[i].V);
+    if (i + 1 < curve->n && (p[i].c - p[i - 1].c) * (p[i + 1].c - p[i].c) < 0. && ++extrema == 1)
+      shown = i;
+  }
+  if (curve->closed && (p[curve->n - 1].c - p[curve->n - 2].c) * (p[1].c - p[0].c) < 0.)
+    extrema++;
+  printf("%d,%s,%s,%.12g,%.12g,%d,", number, curve->closed ? "closed" : "open",
+         delta_over_psi(par, p[shown].V, p[shown].omega * I) > 1. ? "delta" : "psi",
+         p[start].c, p[start].V, p[steady].c > p[start].c ? 1 : -1);
+  if (curve->closed)
+    printf("%.14g", 2. * MLG_PI / p[curve->n - 1 - start / 2].omega);
+  printf(",%.6g,%.6g,%d\n", length, highest - lowest, extrema);
+}
+
+static void set(double par[], const char *text)
+{
+  static const struct { const char *name; int slot; } names[] = {
+#define X(slot, id, name, unit, value, range, meaning) { name, PAR_##id },
+    MLG_PARAMETERS(X)
+#undef X
+  };
+  const char *equals = strchr(text, '=');
+  const size_t length = equals ? (size_t)(equals - text) : 0;
+  char *end;
+  const double value = equals ? strtod(equals + 1, &end) : 0.;
+
+  if (!equals || end == equals + 1 || *end || !isfinite(value)) {
+    fprintf(stderr, "curves: '%s': expected NAME=NUMBER\n", text);
+    exit(2);
+  }
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    if (strlen(names[i].name) == length && memcmp(names[i].name, text, length) == 0) {
+      par[names[i].slot] = value;
+      return;
+    }
+  fprintf(stderr, "curves: '%s': no such parameter (see models/mlg.h)\n", text);
+  exit(2);
+}
+
+int main(int argc, char *argv[])
+{
+  double par[36] = { 0. };
+  struct characteristic f;
+  struct curve *curves;
+  int n;
+
+  mlg_defaults(par);
+  for (int i = 1; i < argc; i++)
+    set(par, argv[i]);
+  f = characteristic(par);
+  curves = all_curves(&f, &n);
+  printf("curve,kind,shimmy,c_d,V,way,stop,length,V_range,extrema\n");
+  for (int i = 0; i < n; i++) {
+    print_curve(par, &curves[i], i + 1);
+    free(curves[i].point);
+  }
+  free(curves);
+  return 0;
+}

@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# curves.sh - every Hopf curve in the (V, c_d) plane at one k_s and b
+#
+#   scripts/curves.sh LAYOUT NAME [PARAMETER=VALUE ...]
+#   scripts/curves.sh li1 mine k_s=6.38e5 b=140
+#
+# Sourced after lib.sh by the scripts of Figures 9, 12 and 14; by itself it makes
+# the curves of a user's own values.
+# Needs:  curves-LAYOUT (scripts/curves.c), which says how many curves there are
+#         and where one may start, and scan-LAYOUT for the extrema of c_d.
+# Writes: build/tables/NAME.csv (curve, shimmy, type, V, c_d; type LP: an extremum
+#         of c_d), runs NAME.1.start, NAME.1, NAME.2.start, ... in build/runs
+# Expect: the number of curves, how many are closed, and by how much c_d of AUTO's
+#         curves differs from the extrema of scan: 1e-9 or so.  An extremum that
+#         only one of the two has ends with one line.
+
+# hopf_curves LAYOUT NAME [PARAMETER=VALUE ...]
+# A curve takes two runs: a short straight one across its starting point, which
+# finds the Hopf point there, then the curve, from edge to edge or once round.
+hopf_curves() {
+  local layout=$1 name=$2 started curves closed at
+  local number kind way stop c_d V length range settings stops
+  shift 2
+  started=$(date +%s%N)
+  build
+  mkdir -p build/tables
+  "build/bin/curves-$layout" "$@" > "build/tables/$name.curves" || exit $?
+  "build/bin/scan-$layout" points "$@" > "build/tables/$name.extrema" || exit $?
+  # AUTO is to put a point on each extremum of c_d
+  at=$(extrema "$name" | cut -d ' ' -f 2 | paste -sd ,)
+  while IFS=, read -r number kind _ c_d V way stop length range _; do
+    [ "$number" != curve ] || continue
+    mapfile -t settings < <(awk -v V="$V" -v range="$range" -v length_="$length" -v way="$way" 'BEGIN {
+      reach = range / 200 < 0.01 ? range / 200 : 0.01 # no other curve so near
+      step = length_ / 100 < 1 ? length_ / 100 : 1
+      printf "V=%.12g\nDS=%g\nDSMAX=%g\nUZSTOP={\x27V\x27: %.12g}\n", V - reach, reach / 4, reach / 4, V + reach
+      printf "DS=%g\nDSMAX=%g\n", way * (step < 0.1 ? step / 10 : 0.01), step }')
+    run "$name.$number.start" "$layout.straight" "$@" c_d="$c_d" "${settings[@]:0:4}" -- HB=1 UZ=1 > /dev/null
+    stops="'V': [0.1, 200.0], 'c_d': [10.0, 8e4]"
+    run "$name.$number" "$layout.hopf" from="$name.$number.start" "$@" "${settings[@]:4}" \
+      UZR="{${at:+'V': [$at]}}" UZSTOP="{$stops${stop:+, 'period': $stop}}" -- > /dev/null
+  done < "build/tables/$name.curves"
+  curves=$(($(wc -l < "build/tables/$name.curves") - 1))
+  closed=$(grep -c ,closed, "build/tables/$name.curves" || true)
+  printf '  %-28s %5d ms  %s\n' "$name" $((($(date +%s%N) - started) / 1000000)) \
+    "$curves curves, $closed closed"
+}
+
+# The extrema of c_d inside the plane as "c_d V", one a line.
+extrema() { # NAME
+  awk -F, 'NR > 1 && $4 != "edge" && $1 > 10 && $1 < 8e4 && $2 > 0.1 { print $1, $2 }' "build/tables/$1.extrema"
+}
+
+# The curves of NAME as rows PREFIX,curve,shimmy,type,V,c_d of the open table.
+# Compares their extrema with scan's and adds a row to $table.check:
+# name, curves, closed ones, extrema, largest relative difference.
+curve_rows() { # PREFIX NAME
+  local prefix=$1 name=$2 number kind shimmy
+  while IFS=, read -r number kind shimmy _; do
+    [ "$number" != curve ] || continue
+    printf '%s\n' "$prefix$number,$shimmy" "$kind" "build/runs/$name.$number/b.$name.$number"
+  done < "build/tables/$name.curves" | {
+    mapfile -t list
+    files=()
+    for ((i = 0; i < ${#list[@]}; i += 3)); do
+      files+=("prefix=${list[i]}" "closed_curve=${list[i + 1]/open/}" "${list[i + 2]}")
+    done
+    awk -v name="$name" -v extrema="$(extrema "$name")" -v check="$table.check" \
+      -f scripts/auto.awk -f scripts/curves.awk "${files[@]}" >> "$table.new"
+  }
+}
+
+if [ "${BASH_SOURCE[0]}" = "$0" ]; then
+  . "$(dirname "$0")/lib.sh"
+  [ $# -ge 2 ] || fail "usage: scripts/curves.sh LAYOUT NAME [PARAMETER=VALUE ...]" 2
+  layout=$1 name=$2
+  shift 2
+  [ -f "models/$layout.c" ] || fail "curves: there is no models/$layout.c" 2
+  hopf_curves "$layout" "$name" "$@"
+  table=build/tables/$name.csv
+  : > "$table.check"
+  printf '%s\n' "# Hopf curves of layout $layout: $*" "# V m/s, c_d N m s/rad; type: LP extremum of c_d" \
+    curve,shimmy,type,V,c_d > "$table.new"
+  curve_rows "" "$name"
+  replace "$table"
+  column -t -s , "$table.check"
+fi

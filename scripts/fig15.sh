@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Figure 15: zero-shimmy regions and largest width of layout LI2
+#
+#   scripts/fig15.sh [runs [low | high | widths] | tables | draw]
+#
+# Writes: results/fig15.csv (regions), results/fig15.png and .svg,
+#         build/tables/boundary.fig15.csv, build/tables/widths.fig15.csv
+# Expect: the widest interval over k_s is limited by the onset of the delta
+#         region at every b, and grows with b: 19100 N m s/rad at b = 140.
+. "$(dirname "$0")/lib.sh"
+. scripts/boundary.sh
+
+runs_low() { for b in 0 50 80; do boundary_curves li2 "$b"; done; }
+runs_high() { for b in 100 120 140; do boundary_curves li2 "$b"; done; }
+
+runs_widths() {
+  local at p
+  boundary_curves li2 0
+  at=$(onset_of li2 0)
+  mapfile -t p < <(solution "$at" LP)
+  widths li2 1 boundary.width "${p[0]}" "$(low_and_high li2 0 "${p[1]}")" "${p[1]}" b=0 "$(stop_at "'gap': 0.0")"
+}
+
+tables() {
+  local b
+  begin_regions
+  for b in 0 50 80 100 120 140; do
+    boundary_points 15 li2 "$b"
+  done
+  width_rows li2 fig15.width
+  end_regions
+}
+
+main fig15 "$@"

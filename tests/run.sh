@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# run.sh - run the tests and count them
+#
+#   tests/run.sh             every test, as make test does
+#   tests/run.sh runs fail   those of the files whose names begin so
+#
+# The files: tests/*.bats, and the C programs build/tests/NAME that make builds
+# from tests/test_NAME.c, one layout-LAYOUT for each layout from
+# tests/test_layout.c. All speak TAP, and run side by side, one per processor:
+# each writes below build/tests/NAME only.
+#
+# A line for each test as it ends, a failed one with all it had to say. A
+# program that crashes, hangs, says nothing or less than it announced has
+# failed too. The last line is "Tests: N passed, N failed[, N skipped]".
+#
+# Exit    0 all passed, 1 some failed, 2 no such tests
+set -euo pipefail
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
+export LC_ALL=C OMP_NUM_THREADS=1 CMOCKA_MESSAGE_OUTPUT=TAP
+
+readonly limit=${TEST_TIMEOUT:-600} # seconds for one file
+readonly counts=build/tests/counts
+
+all_names() { # the largest bats files first: they take longest
+  local file
+  for file in $(stat -c '%s %n' tests/*.bats | sort -rn | cut -d ' ' -f 2); do
+    basename "$file" .bats
+  done
+  for file in tests/test_*.c; do
+    file=${file#tests/test_}
+    [ "$file" = layout.c ] || echo "${file%.c}"
+  done
+  for file in $(grep -l '^#include "plugin.h"' models/*.c); do
+    echo "layout-$(basename "$file" .c)"
+  done
+}
+
+# chosen [BEGINNING...]: the names that begin so; each has to mean something
+chosen() {
+  local names name beginning found
+  names=$(all_names)
+  [ $# -gt 0 ] || set -- ''
+  for beginning; do
+    found=
+    for name in $names; do
+      case $name in "$beginning"*) found=1 && echo "$name" ;; esac
+    done
+    if [ -z "$found" ]; then
+      printf 'run.sh: no tests begin with "%s"; there are %s\n' "$beginning" "$(xargs <<<"$names")" >&2
+      return 2
+    fi
+  done | awk '!seen[$0]++'
+}
+
+# TAP on standard output, and last the exit status. A stop is passed on.
+tap_of() { # name
+  local command=("build/tests/$1") pid status=0
+  [ ! -e "tests/$1.bats" ] || command=(bats --formatter tap "tests/$1.bats")
+  timeout --kill-after=10 "$limit" "${command[@]}" </dev/null 2>&1 &
+  pid=$!
+  trap 'kill "$pid"' TERM
+  wait "$pid" || status=$?
+  echo "exit status $status"
+}
+
+stop() {
+  trap - EXIT
+  # shellcheck disable=SC2046 # one word for each job
+  kill $(jobs -p) 2>/dev/null || true
+  wait
+  exit 130
+}
+
+main() {
+  local names name
+  names=$(chosen "$@")
+  [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent test-programs
+  export MLG_BUILT=yes
+  rm -rf "$counts"
+  mkdir -p "$counts"
+  trap stop INT TERM
+  for name in $names; do
+    while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do
+      wait -n || true
+    done
+    echo "0 1 0 $name: ended before it was counted" >"$counts/$name"
+    tap_of "$name" | awk -v name="$name" -v counts="$counts/$name" -f tests/tap.awk &
+  done
+  wait
+  awk '
+    { passed += $1; failed += $2; skipped += $3 }
+    NF > 3 && !said++ { print "Failed:" }
+    NF > 3 { sub(/^[0-9]+ [0-9]+ [0-9]+ /, ""); print "  " $0 }
+    END {
+      printf "Tests: %d passed, %d failed%s\n", passed, failed, skipped ? ", " skipped " skipped" : ""
+      exit failed > 0 || !passed
+    }' "$counts"/*
+}
+
+main "$@"

@@ -1,0 +1,77 @@
+# shellcheck shell=bash
+# scratch.bash - what the tests of runs share: a checkout to run in, made anew
+# below build/tests, so that nothing of the real one is touched.
+
+# scratch NAME: makes it, goes there, and exports ROOT and SCRATCH
+scratch() {
+  export ROOT SCRATCH MLG_BUILT=yes LC_ALL=C OMP_NUM_THREADS=1
+  unset MAKEFLAGS MFLAGS MAKELEVEL AUTO_DIR AUTO_TARBALL
+  ROOT=$(realpath "$BATS_TEST_DIRNAME/..")
+  SCRATCH=$ROOT/build/tests/$1
+  rm -rf "$SCRATCH"
+  mkdir -p "$SCRATCH"/build/{models,bin} "$SCRATCH/tests"
+  cd "$SCRATCH" || return
+  cp -rp "$ROOT"/{Makefile,scripts,models,constants} .
+  cp -p "$ROOT"/tests/targets.csv tests
+  cp -p "$ROOT"/build/models/*.exe build/models
+  find "$ROOT/build/bin" -type f -exec cp -p -t build/bin {} +
+  cp -p "$ROOT/build/auto.mk" build
+  ln -s "$ROOT/build/auto" build/auto
+}
+
+# made_by_make TARGET...: make in the scratch checkout with the AUTO of the real one
+made_by_make() {
+  local auto
+  auto=$(sed -n 's/^AUTO_DIR = //p' "$ROOT/build/auto.mk")
+  case $auto in /*) export AUTO_DIR=$auto ;; esac
+  env -u MLG_BUILT make --no-print-directory "$@"
+}
+
+# auto_run NAME CONSTANTS ...: the function run of scripts/lib.sh
+auto_run() {
+  bash -c '. scripts/lib.sh; run "$@"' auto_run "$@"
+}
+
+# value RUN TYPE COLUMN [V]: that column at the run's first point of that type
+# (with that speed), as AUTO wrote it, read without the project's awk programs
+value() {
+  values "$@" | head -n 1
+}
+
+values() { # the same of all such points
+  local code
+  case $2 in HB) code=3 ;; UZ) code=-4 ;; LP) code=2 ;; TR) code=8 ;; *) return 2 ;; esac
+  awk -v code="$code" -v column="$3" -v V="${4:-}" '
+    $1 == 0 && /PT +TY +LAB/ {
+      for (k = 1; k * 19 < length($0); k++) {
+        name = substr($0, 1 + 19 * k, 19)
+        gsub(/ /, "", name)
+        place[name] = 4 + k
+      }
+    }
+    $1 != 0 && ($3 % 10 == code || (code == 2 && $3 % 10 == 5)) {
+      if (V == "" || ($(place["V"]) - V) ^ 2 < 1e-12) print $place[column]
+    }
+  ' "build/runs/$1/b.$1"
+}
+
+# near X Y RELATIVE [WHAT]
+near() {
+  awk -v x="$1" -v y="$2" -v tolerance="$3" -v what="${4:-value}" 'BEGIN {
+    number = "^[-+]?[0-9.]+([eE][-+]?[0-9]+)?$"
+    size = y < 0 ? -y : y
+    if (x ~ number && y ~ number && x - y <= tolerance * size && y - x <= tolerance * size) exit 0
+    printf "%s is %s, expected %s within %g of it\n", what, x, y, tolerance
+    exit 1
+  }'
+}
+
+# near_each TOLERANCE WHAT < lines "x y"
+near_each() {
+  local x y n=0
+  while read -r x y; do
+    n=$((n + 1))
+    near "$x" "$y" "$1" "$2, number $n," || return
+  done
+  [ "$n" -gt 0 ] || { echo "$2: nothing to compare" && return 1; }
+}
