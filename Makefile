@@ -17,9 +17,9 @@ models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.ex
           $(layouts:%=build/bin/scan-%) build/bin/constants
 goals := $(or $(MAKECMDGOALS),figures)
 
-.PHONY: figures models fig06 fig07 targets test test-programs check-scripts setup clean distclean help always
+.PHONY: figures models collect test test-programs check-scripts setup clean distclean help always
 
-figures: fig06 fig07 ## every figure and the table of paper against computed values
+figures: ## every figure and the table of paper against computed values
 	@scripts/targets.sh
 
 models: $(models) ## the layouts as AUTO executables, build/models/*.exe
@@ -65,21 +65,39 @@ build/bin/constants: scripts/constants.c models/mlg.h Makefile
 
 # --- figures: runs side by side, then tables, then the picture ---------------
 # A run remakes itself only when its inputs changed, so these targets are
-# always asked and seldom work.
-fig06_runs := $(addprefix fig06.,a b c)
-fig07_runs := $(addprefix fig07.,hopf torus_psi_up torus_psi_down torus_delta)
-.PHONY: $(fig06_runs) $(fig07_runs)
+# always asked and seldom work.  fig06.a is the part runs_a of scripts/fig06.sh.
+parts_fig06 := a b c
+parts_fig07 := hopf torus_psi_up torus_psi_down torus_delta
+parts_fig10 := l2
+parts_fig13 := low high widths
+parts_fig15 := low high widths
+figures := fig06 fig07 fig10 fig13 fig15
 
-$(fig06_runs) $(fig07_runs): $(models)
-	@scripts/$(basename $@).sh runs $(subst .,,$(suffix $@))
+define figure_rules
+.PHONY: $(1) $(1).tables $(parts_$(1):%=$(1).%)
+$(parts_$(1):%=$(1).%): $(1).%: $$(models)
+	@scripts/$(1).sh runs $$*
+$(1).tables: $(parts_$(1):%=$(1).%)
+	@scripts/$(1).sh tables
+$(1): collect
+	@scripts/$(1).sh draw
+endef
+$(foreach figure,$(figures),$(eval $(call figure_rules,$(figure))))
+
+figures: $(figures)
 fig07.hopf: fig06.a fig06.c
 fig07.torus_psi_up fig07.torus_psi_down fig07.torus_delta: fig06.a
 
-fig06: $(fig06_runs) ## Figure 6: one-parameter diagrams in V, layout L1
-fig07: $(fig07_runs) ## Figure 7: the (V, c_d) plane, layout L1
-fig06 fig07:
-	@scripts/$@.sh tables
-	@scripts/$@.sh draw
+# what the figures share, of those asked for
+asked := $(filter $(figures),$(goals))
+collect: $(addsuffix .tables,$(or $(asked),$(figures)))
+	@scripts/collect.sh
+
+fig06: ## Figure 6: one-parameter diagrams in V, layout L1
+fig07: ## Figure 7: the (V, c_d) plane, layout L1
+fig10: ## Figure 10: boundary points over k_s, layout L2
+fig13: ## Figure 13: boundary points and largest width, layout LI1
+fig15: ## Figure 15: zero-shimmy regions and largest width, layout LI2
 
 # --- tests -----------------------------------------------------------------
 # One program for each tests/test_*.c; of test_layout.c one for each layout, and

@@ -90,7 +90,7 @@ end_regions() {
 boundary_points() { # FIGURE_NUMBER LAYOUT B
   local files
   mapfile -t files < <(curves_of "$2" "$3")
-  awk -v layout="$2" -v b="$3" -v every=4 -f scripts/auto.awk -f scripts/boundary.awk "${files[@]}" \
+  awk -v layout="$2" -v b="$3" -v every=2 -f scripts/auto.awk -f scripts/boundary.awk "${files[@]}" \
     >> "$boundary_table.new"
   awk -v figure="$1" -v layout="$2" -v b="$3" -f scripts/auto.awk -f <(echo '
     type == "LP" || (type == "UZ" && (value["compliance"] - asked) ^ 2 < 1e-18) {

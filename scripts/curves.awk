@@ -1,15 +1,24 @@
-# curves.awk - Hopf curves as rows of a table, checked against known extrema
-#   awk -v name=NAME -v extrema="c_d V
-#   ..." -v check=FILE -f auto.awk -f curves.awk
-#       prefix=TEXT closed_curve=closed|'' b.RUN  prefix=... closed_curve=... b.RUN
+# curves.awk - Hopf curves as rows of a table, their extrema checked
+#   awk -v name=NAME -v check=FILE -f auto.awk -f curves.awk NAME.curves NAME.extrema
+#       prefix=TEXT closed_curve=closed b.RUN  prefix=TEXT closed_curve= b.RUN ...
+# NAME.curves is from curves-LAYOUT, NAME.extrema from scan-LAYOUT.
 # Prints TEXT,type,V,c_d; type LP: c_d has an extremum along the curve.  Points on
 # a straight line between others, to the width of a line in print, are left out.
 # Adds name, curves, closed ones, extrema, largest relative difference of c_d to
-# FILE, and ends with status 1 when the curves and the list differ in an extremum.
+# FILE.  Status 1 when AUTO's curves lack an extremum that NAME.curves or
+# NAME.extrema has, or have one beside those of NAME.curves.
 
-BEGIN {
-  n_known = split(extrema, listed, "\n")
-  for (i = 1; i <= n_known; i++) { split(listed[i], pair, " "); known_c[i] = pair[1]; known_V[i] = pair[2] }
+FILENAME ~ /\.curves$/ {
+  n_cell = split($0, cell, ",")
+  if (cell[1] != "curve" && cell[n_cell] != "")
+    for (i = split(cell[n_cell], at_V, " "); i > 0; i--) { split(at_V[i], pair, ":"); known_V[++n_known] = pair[1]; known_c[n_known] = pair[2] }
+  next
+}
+
+FILENAME ~ /\.extrema$/ {
+  split($0, cell, ",")
+  if (cell[4] ~ /m/ && cell[1] > 10 && cell[1] < 8e4 && cell[2] > 0.1) { scan_V[++n_scan] = cell[2]; scan_c[n_scan] = cell[1] }
+  next
 }
 
 FILENAME != file { if (n) finish(); file = FILENAME; text = prefix; round_ = closed_curve != "" }
@@ -81,7 +90,12 @@ END {
   for (i = 1; i <= n_known; i++)
     if (!seen[i]) missing = missing sprintf(" (%.6g, %.6g)", known_V[i], known_c[i])
   printf "%s,%d,%d,%d,%.1e\n", name, curves, closed_curves, n_seen, worst >> check
+  for (i = 1; i <= n_scan; i++) {
+    for (k = 1; k <= n_known; k++)
+      if ((scan_c[i] / known_c[k] - 1) ^ 2 < 1e-12 && (scan_V[i] - known_V[k]) ^ 2 < 1e-8) break
+    if (k > n_known) missing = missing sprintf(" (%.6g, %.6g)", scan_V[i], scan_c[i])
+  }
   if (missing != "") print name ": no curve has the extrema" missing > "/dev/stderr"
-  if (unknown != "") print name ": extrema that scan has not:" unknown > "/dev/stderr"
+  if (unknown != "") print name ": extrema too many:" unknown > "/dev/stderr"
   exit missing unknown != ""
 }

@@ -19,7 +19,7 @@
  *   stop     closed: the period, s, at which the curve has come round once
  *   length   of the curve, 1 m/s counting as 1000 N m s/rad
  *   V_range  how far the curve extends in V, m/s
- *   extrema  how often c_d has an extremum on the way
+ *   extrema  where c_d has an extremum along it, as V:c_d, blanks between
  * Bad input: one line, status 2.
  */
 #include <stdio.h>
@@ -47,15 +47,14 @@ static struct sample sample(const struct characteristic *f, double omega)
   const double q0 = cimag(a * conj(g)), q1 = cimag(a * conj(d) + b * conj(g)), q2 = cimag(b * conj(d));
   struct sample p = { omega, q1 * q1 - 4. * q0 * q2, { 0., 0. }, { 0., 0. }, 0 };
 
-  if (p.D >= 0.) {
-    const int big = q1 < 0.; /* which root is safe from cancellation */
-    const double q = big ? -q1 + sqrt(p.D) : -q1 - sqrt(p.D);
+  const double root = sqrt(fmax(p.D, 0.)); /* D < 0: no Hopf point, but for rounding at a fold */
+  const int big = q1 < 0.;                 /* which one is safe from cancellation */
+  const double q = big ? -q1 + root : -q1 - root;
 
-    p.c[big] = q / (2. * q2);
-    p.c[!big] = 2. * q0 / q;
-    for (int k = 0; k < 2; k++)
-      p.V[k] = -creal((a + b * p.c[k]) / (g + d * p.c[k]));
-  }
+  p.c[big] = q / (2. * q2);
+  p.c[!big] = 2. * q0 / q;
+  for (int k = 0; k < 2; k++)
+    p.V[k] = -creal((a + b * p.c[k]) / (g + d * p.c[k]));
   return p;
 }
 
@@ -247,7 +246,7 @@ static struct stretch *joined(const struct stretches *all, const struct stretch 
 
 /* --- a whole curve ------------------------------------------------------------ */
 
-struct point { double omega, V, c, slope; };
+struct point { double omega, V, c, slope; int root; };
 
 enum { POINTS = 256 }; /* on a stretch, closer towards its ends */
 
@@ -258,7 +257,7 @@ static struct point point_on(const struct characteristic *f, double omega, int k
   const struct sample p = sample(f, omega);
   const struct jet j = jet(f, omega * I, p.V[k], p.c[k]);
 
-  return (struct point){ omega, p.V[k], p.c[k], extremum_sine(&j, I, j.F_V) };
+  return (struct point){ omega, p.V[k], p.c[k], extremum_sine(&j, I, j.F_V), k };
 }
 
 /* Follows the stretches from one end of s until an edge, or once round. */
@@ -273,13 +272,8 @@ static struct curve follow(const struct characteristic *f, const struct stretche
 
     s->used = 1;
     for (int i = 0; i <= POINTS; i++) {
-      double t = 0.5 * (1. - cos(MLG_PI * i / POINTS));
+      const double t = 0.5 * (1. - cos(MLG_PI * i / POINTS));
 
-      /* at a fold both roots meet: stay where the square root is real */
-      if (i == 0)
-        t = 1e-9;
-      else if (i == POINTS)
-        t = 1. - 1e-9;
       if (curve.n == curve.room)
         curve.point = grown(curve.point, &curve.room, sizeof *curve.point);
       curve.point[curve.n++] = point_on(f, from + t * (to - from), s->root);
@@ -349,28 +343,47 @@ static struct curve *all_curves(const struct characteristic *f, int *n)
   return curves;
 }
 
-static void print_curve(const double par[], const struct curve *curve, int number)
+/* The extremum of c_d between two neighbours, where slope changes its sign. */
+static struct point extremum_between(const struct characteristic *f, struct point a, struct point b)
+{
+  for (int i = 0; i < 60; i++) {
+    const struct point middle = point_on(f, 0.5 * (a.omega + b.omega), a.root);
+
+    if (middle.slope * a.slope > 0.)
+      a = middle;
+    else
+      b = middle;
+  }
+  return a;
+}
+
+static void print_curve(const double par[], const struct characteristic *f,
+                        const struct curve *curve, int number)
 {
   const struct point *p = curve->point;
-  const int start = start_of(curve), steady = start + 1;
+  const struct point *start = &p[start_of(curve)];
+  struct point shown = p[curve->n / 2], extremum[16];
   double length = 0., lowest = p[0].V, highest = p[0].V;
-  int extrema = 0, shown = curve->n / 2;
+  int extrema = 0;
 
   for (int i = 1; i < curve->n; i++) {
     length += hypot(p[i].V - p[i - 1].V, 1e-3 * (p[i].c - p[i - 1].c));
     lowest = fmin(lowest, p[i].V);
     highest = fmax(highest, p[i].V);
-    if (i + 1 < curve->n && (p[i].c - p[i - 1].c) * (p[i + 1].c - p[i].c) < 0. && ++extrema == 1)
-      shown = i;
+    if (p[i].root == p[i - 1].root && p[i].slope * p[i - 1].slope < 0. && extrema < 16)
+      extremum[extrema++] = extremum_between(f, p[i - 1], p[i]);
   }
-  if (curve->closed && (p[curve->n - 1].c - p[curve->n - 2].c) * (p[1].c - p[0].c) < 0.)
-    extrema++;
+  if (extrema)
+    shown = extremum[0];
   printf("%d,%s,%s,%.12g,%.12g,%d,", number, curve->closed ? "closed" : "open",
-         delta_over_psi(par, p[shown].V, p[shown].omega * I) > 1. ? "delta" : "psi",
-         p[start].c, p[start].V, p[steady].c > p[start].c ? 1 : -1);
+         delta_over_psi(par, shown.V, shown.omega * I) > 1. ? "delta" : "psi",
+         start->c, start->V, start[1].c > start->c ? 1 : -1);
   if (curve->closed)
-    printf("%.14g", 2. * MLG_PI / p[curve->n - 1 - start / 2].omega);
-  printf(",%.6g,%.6g,%d\n", length, highest - lowest, extrema);
+    printf("%.14g", 2. * MLG_PI / p[curve->n - 1 - start_of(curve) / 2].omega);
+  printf(",%.6g,%.6g,", length, highest - lowest);
+  for (int i = 0; i < extrema; i++)
+    printf("%s%.12g:%.12g", i ? " " : "", extremum[i].V, extremum[i].c);
+  printf("\n");
 }
 
 static void set(double par[], const char *text)
@@ -412,7 +425,7 @@ int main(int argc, char *argv[])
   curves = all_curves(&f, &n);
   printf("curve,kind,shimmy,c_d,V,way,stop,length,V_range,extrema\n");
   for (int i = 0; i < n; i++) {
-    print_curve(par, &curves[i], i + 1);
+    print_curve(par, &f, &curves[i], i + 1);
     free(curves[i].point);
   }
   free(curves);

@@ -6,37 +6,39 @@
 #
 # Sourced after lib.sh by the scripts of Figures 9, 12 and 14; by itself it makes
 # the curves of a user's own values.
-# Needs:  curves-LAYOUT (scripts/curves.c), which says how many curves there are
-#         and where one may start, and scan-LAYOUT for the extrema of c_d.
+# Needs:  curves-LAYOUT (scripts/curves.c), which says how many curves there are,
+#         where one may start and where c_d has extrema; scan-LAYOUT to compare.
 # Writes: build/tables/NAME.csv (curve, shimmy, type, V, c_d; type LP: an extremum
 #         of c_d), runs NAME.1.start, NAME.1, NAME.2.start, ... in build/runs
-# Expect: the number of curves, how many are closed, and by how much c_d of AUTO's
-#         curves differs from the extrema of scan: 1e-9 or so.  An extremum that
-#         only one of the two has ends with one line.
+# Expect: the number of curves, of closed ones and of extrema, and by how much c_d
+#         of AUTO's differs from those of curves-LAYOUT: 1e-9 or so.  An extremum
+#         that AUTO's curves lack, or have beside these, ends with one line.
 
 # hopf_curves LAYOUT NAME [PARAMETER=VALUE ...]
 # A curve takes two runs: a short straight one across its starting point, which
 # finds the Hopf point there, then the curve, from edge to edge or once round.
 hopf_curves() {
   local layout=$1 name=$2 started curves closed at
-  local number kind way stop c_d V length range settings stops
+  local number kind way stop c_d V length range turns settings stops
   shift 2
   started=$(date +%s%N)
   build
   mkdir -p build/tables
   "build/bin/curves-$layout" "$@" > "build/tables/$name.curves" || exit $?
   "build/bin/scan-$layout" points "$@" > "build/tables/$name.extrema" || exit $?
-  # AUTO is to put a point on each extremum of c_d
-  at=$(extrema "$name" | cut -d ' ' -f 2 | paste -sd ,)
-  while IFS=, read -r number kind _ c_d V way stop length range _; do
+  while IFS=, read -r number kind _ c_d V way stop length range turns; do
     [ "$number" != curve ] || continue
-    mapfile -t settings < <(awk -v V="$V" -v range="$range" -v length_="$length" -v way="$way" 'BEGIN {
+    mapfile -t settings < <(awk -v V="$V" -v range="$range" -v length_="$length" -v way="$way" -v turns="$turns" 'BEGIN {
       reach = range / 200 < 0.01 ? range / 200 : 0.01 # no other curve so near
-      step = length_ / 100 < 1 ? length_ / 100 : 1
+      step = length_ / 100
+      if (turns && step > range / 30) step = range / 30
+      if (step > 1) step = 1
       printf "V=%.12g\nDS=%g\nDSMAX=%g\nUZSTOP={\x27V\x27: %.12g}\n", V - reach, reach / 4, reach / 4, V + reach
       printf "DS=%g\nDSMAX=%g\n", way * (step < 0.1 ? step / 10 : 0.01), step }')
     run "$name.$number.start" "$layout.straight" "$@" c_d="$c_d" "${settings[@]:0:4}" -- HB=1 UZ=1 > /dev/null
     stops="'V': [0.1, 200.0], 'c_d': [10.0, 8e4]"
+    # AUTO is to put a point on each extremum of c_d
+    at=$(awk '{ gsub(/:[^ ]*/, ""); gsub(/ /, ", "); print }' <<< "$turns")
     run "$name.$number" "$layout.hopf" from="$name.$number.start" "$@" "${settings[@]:4}" \
       UZR="{${at:+'V': [$at]}}" UZSTOP="{$stops${stop:+, 'period': $stop}}" -- > /dev/null
   done < "build/tables/$name.curves"
@@ -46,14 +48,9 @@ hopf_curves() {
     "$curves curves, $closed closed"
 }
 
-# The extrema of c_d inside the plane as "c_d V", one a line.
-extrema() { # NAME
-  awk -F, 'NR > 1 && $4 != "edge" && $1 > 10 && $1 < 8e4 && $2 > 0.1 { print $1, $2 }' "build/tables/$1.extrema"
-}
-
 # The curves of NAME as rows PREFIX,curve,shimmy,type,V,c_d of the open table.
-# Compares their extrema with scan's and adds a row to $table.check:
-# name, curves, closed ones, extrema, largest relative difference.
+# Compares their extrema and adds a row to $table.check: name, curves, closed ones,
+# extrema, largest relative difference.
 curve_rows() { # PREFIX NAME
   local prefix=$1 name=$2 number kind shimmy
   while IFS=, read -r number kind shimmy _; do
@@ -65,9 +62,41 @@ curve_rows() { # PREFIX NAME
     for ((i = 0; i < ${#list[@]}; i += 3)); do
       files+=("prefix=${list[i]}" "closed_curve=${list[i + 1]/open/}" "${list[i + 2]}")
     done
-    awk -v name="$name" -v extrema="$(extrema "$name")" -v check="$table.check" \
-      -f scripts/auto.awk -f scripts/curves.awk "${files[@]}" >> "$table.new"
+    awk -v name="$name" -v check="$table.check" -f scripts/auto.awk -f scripts/curves.awk \
+      "build/tables/$name.curves" "build/tables/$name.extrema" "${files[@]}" >> "$table.new"
   }
+}
+
+# --- Figures 9, 12 and 14: panels of one b and several k_s ---------------------
+
+# diagrams LAYOUT B K_S...: their curves; diagram_rows PANEL B K_S...: their rows.
+diagrams() {
+  local layout=$1 b=$2 k_s
+  shift 2
+  for k_s; do hopf_curves "$layout" "$figure.b$b.k$k_s" k_s="$k_s" b="$b"; done
+}
+
+diagram_rows() {
+  local panel=$1 b=$2 k_s
+  shift 2
+  for k_s; do curve_rows "$panel,$b,$k_s," "$figure.b$b.k$k_s"; done
+}
+
+begin_diagrams() { # LINE
+  begin_table "results/$figure.csv" "$1" \
+    "# curve: number at that b (N m s^2/rad) and k_s (N m/rad; 1e30 is infinite); shimmy: what it bounds, psi or delta;" \
+    "# V m/s; c_d N m s/rad; type LP: boundary point, an extremum of c_d along the curve. V from 0.1 to 200, c_d from" \
+    "# 10 to 8e4; a closed curve ends on its first point." \
+    panel,b,k_s,curve,shimmy,type,V,c_d
+  echo name,curves,closed,extrema,largest_difference > "$table.check"
+}
+
+end_diagrams() {
+  end_table
+  mv "$table.check" "build/tables/check.$figure.csv"
+  awk -F, 'NR > 1 { n++; curves += $2; closed += $3; extrema += $4; if ($5 + 0 > worst) worst = $5 + 0 }
+    END { printf "  %d diagrams, %d curves, %d closed; %d boundary points met to %.0e\n", n, curves, closed, extrema, worst }' \
+    "build/tables/check.$figure.csv"
 }
 
 if [ "${BASH_SOURCE[0]}" = "$0" ]; then

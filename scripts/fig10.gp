@@ -2,8 +2,8 @@
 load "scripts/regions.gp"
 file = "results/fig10.csv"
 shown = "1e+06" # k_s of the diagram in (a)
-stats curve("l2", 0, "onset") using 6 name "onset" nooutput
-stats curve("l2", 0, "meet") using 6 name "meet" nooutput
+stats curve("l2", "0", "onset") using 6 name "onset" nooutput
+stats curve("l2", "0", "meet") using 6 name "meet" nooutput
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1200,1000 font "DejaVu Sans,13" } \
   else { set terminal svg size 1200,1000 font "DejaVu Sans,14" }
@@ -18,10 +18,10 @@ do for [ending in "png svg"] {
   set label 3 "BP2_u" at 0.915,23 tc ls 12; set label 4 "BP2_l" at 1.15,5.6 tc ls 12
   set label 5 sprintf("k_s = %.4g", mega*meet_max) at mega*meet_max+0.02,3.2
   set label 6 sprintf("k_s = %.4g", mega*onset_max) at mega*onset_max+0.02,9.2
-  plot region("l2", 0, file) using (mega*$1):(kilo*$2):(kilo*$3) with filledcurves fc rgb grey, \
-       curve("l2", 0, "BP1|meet") using (mega*$6):(kilo*$7) with lines ls 11, \
-       curve("l2", 0, "BP3|meet") using (mega*$6):(kilo*$7) with lines ls 13, \
-       curve("l2", 0, "BP2_l|BP2_u|onset") using (mega*$6):(kilo*$7) with lines ls 12
+  plot region("l2", "0", file) using (mega*$1):(kilo*$2):(kilo*$3) with filledcurves fc rgb grey, \
+       curve("l2", "0", "BP1|meet") using (mega*$6):(kilo*$7) with lines ls 11, \
+       curve("l2", "0", "BP3|meet") using (mega*$6):(kilo*$7) with lines ls 13, \
+       curve("l2", "0", "BP2_l|BP2_u|onset") using (mega*$6):(kilo*$7) with lines ls 12
   unset label
   # (c) the width
   set lmargin at screen 0.08; set rmargin at screen 0.98; set bmargin at screen 0.08; set tmargin at screen 0.44
@@ -29,7 +29,7 @@ do for [ending in "png svg"] {
   set xrange [0.4:2.4]; set yrange [0:11]
   set ylabel "width (kN m s/rad)"
   set label 1 "BP1 to BP3" at 0.60,8.5 right; set label 2 "BP2_u to BP3" at 0.86,4 left; set label 3 "BP1 to BP2_l" at 1.1,1.5 left
-  plot region("l2", 0, file) using (mega*$1):(kilo*$4) with lines lc rgb "black" lw 2
+  plot region("l2", "0", file) using (mega*$1):(kilo*$4) with lines lc rgb "black" lw 2
   unset label
   # (a) the four boundary points in the (V, c_d) plane
   set lmargin at screen 0.08; set rmargin at screen 0.45; set bmargin at screen 0.56; set tmargin at screen 0.95

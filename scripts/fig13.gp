@@ -40,7 +40,7 @@ do for [ending in "png svg"] {
   set label 3 "by BP2_u alone (stationary)" at 34,4.1 center
   set label 4 "onset of δ-shimmy" at 104,9.6 left
   set label 5 "onset above the third ψ region" at 198,11.2 right
-  set label 6 system("awk -F, '$1==\"li1\" && $2>140 && $2<150 {printf \"largest: %.1f at b = %.2f, k_s = %.4g MN m/rad\", $6, $2, 1e-6*$3}' results/widths.csv") at 138,7.6 center
+  set label 6 system("awk -F, '$1==\"li1\" && $2>140 && $2<150 {printf \"largest: %.1f at b = %.2f, k_s = %.4g MN m/rad\", $6, $2, 1e-6*$3}' results/widths.csv") at 122,7.6 center
   plot widths("1") using 2:(kilo*$6) with lines lc rgb "#1f4fd8" lw 2, \
        widths(tens) using 2:(kilo*$6) with points pt 7 ps 0.8 lc rgb "#1f4fd8", \
        widths(best) using 2:(kilo*$6) with points ls 8

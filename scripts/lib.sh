@@ -145,7 +145,7 @@ main() { # FIGURE [runs [PART] | tables | draw]
         "runs_$part"
       done ;;
     tables | draw) "$2" ;;
-    all) main "$figure" runs; tables; draw ;;
+    all) main "$figure" runs; tables; scripts/collect.sh; draw ;;
     *) fail "usage: scripts/$figure.sh [runs [PART] | tables | draw]" 2 ;;
   esac
 }

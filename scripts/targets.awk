@@ -1,6 +1,7 @@
 # targets.awk - the targets with what this run computed
-#   awk -f targets.awk results/special_points.csv results/fig06.csv results/fig07.csv tests/targets.csv
-BEGIN { FS = "," }
+#   awk -f targets.awk results/special_points.csv results/fig06.csv results/fig07.csv
+#       results/boundary_points.csv results/widths.csv tests/targets.csv
+BEGIN { FS = ","; CONVFMT = "%.9g" }
 
 /^#/ { next }
 
@@ -10,6 +11,7 @@ FILENAME ~ /special_points/ {
   if ($1 == "figure") { for (i = 1; i <= NF; i++) name[i] = $i; next }
   k = ++count[$3, $4]
   for (i = 5; i <= NF; i++) point[$3, $4, k, name[i]] = $i
+  if ($4 == "UZ" && ($1 == 10 || $1 == 13) && $8 != "b") asked_c[$2, ++asked_points[$2]] = $6
   if ($4 == "UZ") for (i = 5; i <= NF; i++) point[$3, "V=" $5, 1, name[i]] = $i
   next
 }
@@ -30,6 +32,50 @@ FILENAME ~ /fig07/ {
 }
 
 function near(x, y) { return (x - y) ^ 2 <= (0.01 * x) ^ 2 }
+
+# Boundary points: the range of k_s in which a layout at one b has a delta
+# region, and whether it is there at all; k_s inf counts as 1e30.
+FILENAME ~ /boundary_points/ {
+  if ($1 == "layout") next
+  k_s = $6 == "inf" ? 1e30 : $6
+  if ($11 == "delta") delta_at[$1, $2, ++deltas[$1, $2]] = k_s
+  if ($4 == "onset") { onset[$1, $2] = k_s; born[$1, $2]++ }
+  if ($4 == "meet") meet[$1, $2] = k_s
+  if ($4 == "psi3") third[$1, $2]++
+  if ($4 == "BP2_u" && (!(($1, $2) in top) || $7 < top[$1, $2])) { top[$1, $2] = $7 }
+  if ($4 == "BP1" && (!(($1, $2) in low) || $7 < low[$1, $2])) { low[$1, $2] = $7 }
+  next
+}
+
+FILENAME ~ /widths/ {
+  if ($1 == "layout") next
+  width[$1, $2] = $6
+  bound[$1, $2] = $9
+  if (!($1 in largest) || $6 > largest[$1]) { largest[$1] = $6; best_b[$1] = $2; best_k_s[$1] = $3 }
+  next
+}
+
+# No delta region for k_s between two values, but on both sides of them.
+function without_delta(layout, b, from, to,    i, inside, below, above) {
+  for (i = 1; i <= deltas[layout, b]; i++) {
+    if (delta_at[layout, b, i] < from) below++
+    else if (delta_at[layout, b, i] > to) above++
+    else inside++
+  }
+  return !inside && above && (from == 0 || below) ? "yes" : "no"
+}
+
+function yes(x) { return x ? "yes" : "no" }
+
+# c_d of the bounds at the k_s the paper names: the highest boundary point below
+# the middle of the interval, the lowest above.
+function asked(layout, which,    i, c, best) {
+  for (i = 1; i <= asked_points[layout]; i++) {
+    c = asked_c[layout, i]
+    if (which == "lo" ? c < 8000 && (best == "" || c > best) : c > 8000 && (best == "" || c < best)) best = c
+  }
+  return best
+}
 
 function value(run, type, k, column) { return point[run, type, k, column] }
 
@@ -58,6 +104,27 @@ function computed(id) {
   if (id == "HH2.V") return value("fig07.psi.down", "HH", 2, "V")
   if (id == "HH2.c_d") return value("fig07.psi.down", "HH", 2, "c_d")
   if (id == "HH.torus") return joined()
+  if (id == "D-L2") return without_delta("l2", 0, 0, 5.9e5)
+  if (id == "M-L2") return meet["l2", 0]
+  if (id == "I-L2") return onset["l2", 0]
+  if (id == "Z-L2.lo") return asked("l2", "lo")
+  if (id == "Z-L2.hi") return asked("l2", "hi")
+  if (id == "W-L2") return asked("l2", "hi") - asked("l2", "lo")
+  if (id == "W-L2.ratio") return (asked("l2", "hi") - asked("l2", "lo")) / (value("fig07.delta.down", "LP", 1, "c_d") - value("fig07.low.up", "LP", 1, "c_d"))
+  if (id == "W-L2.max") return width["li2", 0]
+  if (id == "Z-LI1.lo") return asked("li1", "lo")
+  if (id == "Z-LI1.hi") return asked("li1", "hi")
+  if (id == "W-LI1") return largest["li1"]
+  if (id == "W-LI1.b") return best_b["li1"]
+  if (id == "W-LI1.k_s") return best_k_s["li1"]
+  if (id == "W-LI1.gain") return 100 * (largest["li1"] / width["li1", 0] - 1)
+  if (id == "N-LI1.strip") return yes(top["li1", 30] < low["li1", 30])
+  if (id == "N-LI1.closed") return yes(born["li1", 70] == 1 && onset["li1", 70] < 1e6)
+  if (id == "N-LI1.third") return yes(third["li1", 70] && third["li1", 100] && third["li1", 130] && third["li1", 150])
+  if (id == "N-LI1.limit") return yes(bound["li1", 150] == "psi3" && bound["li1", 130] == "BP1")
+  if (id == "W-LI2") return width["li2", 140]
+  if (id == "W-LI2.gain") return 100 * (width["li2", 140] / width["li2", 0] - 1)
+  if (id == "N-LI2") return without_delta("li2", 100, 8.6e5, 1.99e6)
 }
 
 function passes(x, converged, tolerance,    scale, t) {

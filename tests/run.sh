@@ -30,9 +30,7 @@ all_names() { # the largest bats files first: they take longest
     file=${file#tests/test_}
     [ "$file" = layout.c ] || echo "${file%.c}"
   done
-  for file in $(grep -l '^#include "plugin.h"' models/*.c); do
-    echo "layout-$(basename "$file" .c)"
-  done
+  grep -l '^#include "plugin.h"' models/*.c | sed 's|.*/|layout-|; s|\.c$||'
 }
 
 # chosen [BEGINNING...]: the names that begin so; each has to mean something

@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "characteristic.h"
 #include "eigen.h"
 
 #undef abs
@@ -388,6 +389,74 @@ static void device_has_the_stiffness_of_its_layout(void **state)
   }
 }
 
+/* device() and device_network() are the same device. */
+static void network_is_the_device(void **state)
+{
+  double par[SLOTS];
+
+  (void)state;
+  for (int n = 0; n < SAMPLES; n++) {
+    random_parameters(par);
+    const int limits = n % 16;
+
+    limiting(par, limits);
+    const double w = limits ? log_uniform(0.1, 200.) : log_uniform(1e-2, 1e4);
+    const struct network network = device_network(par);
+    const double _Complex Z = stiffness(par, w);
+    const double _Complex expected = poly_value(&network.num, I * w) / poly_value(&network.den, I * w);
+    const double tolerance = (limits ? 1e-6 : 1e-9) * (eigen_abs(expected) + par[PAR_K_PSI]);
+
+    assert_near(creal(Z), creal(expected), tolerance);
+    assert_near(cimag(Z), cimag(expected), tolerance);
+  }
+}
+
+/* The characteristic function vanishes at the eigenvalues of the linearised
+ * func(), but for the one of lambda_L - lambda_R, -V/l. */
+static void characteristic_vanishes_at_the_eigenvalues(void **state)
+{
+  double par[SLOTS];
+
+  (void)state;
+  for (int n = 0; n < SAMPLES; n++) {
+    random_parameters(par);
+    const struct characteristic F = characteristic(par);
+    const struct eigen_values e = eigen_values(par);
+
+    for (int i = 0; i < NDIM; i++) {
+      const double _Complex s = e.re[i] + I * e.im[i];
+      const struct jet at = jet(&F, s, par[PAR_V], par[PAR_C_D]);
+
+      if (eigen_abs(s + par[PAR_V] / par[PAR_L]) > 1e-6 * eigen_abs(s))
+        assert_near(eigen_abs(at.F / at.F_s), 0., 1e-6 * eigen_abs(s));
+    }
+  }
+}
+
+/* The layouts of the paper without inerter are L2, and L2 with a rigid k_s is
+ * L1: torque and eps' to the last bit. */
+static void limits_are_the_simpler_layouts(void **state)
+{
+  double par[SLOTS], u[NDIM], du[NDIM];
+
+  (void)state;
+  if (isnan(creal((random_parameters(par), closed_form(par, 1.)))))
+    skip();
+  for (int n = 0; n < SAMPLES; n++) {
+    random_parameters(par);
+    random_state_vector(u);
+    par[PAR_B] = 0.;
+    if (n % 2 || strcmp(LAYOUT, "l1.c") == 0)
+      par[PAR_K_S] = MLG_RIGID;
+    const double k_e = n % 2 || strcmp(LAYOUT, "l1.c") == 0
+                       ? par[PAR_K_PSI] : mlg_series(par[PAR_K_PSI], par[PAR_K_S]);
+    const double T_d = k_e * (u[PSI] - u[GEAR_STATES]);
+
+    assert_true(device(par, u, du) == T_d);
+    assert_true(du[GEAR_STATES] == (T_d - par[PAR_K_D] * u[GEAR_STATES]) / par[PAR_C_D]);
+  }
+}
+
 /* Power taken at frequency w is w |psi|^2 Im Z / 2. */
 static void device_gives_no_energy(void **state)
 {
@@ -664,6 +733,9 @@ int main(void)
     cmocka_unit_test_setup(linearisation_is_the_closed_form, seed),
     cmocka_unit_test_setup(device_is_linear, seed),
     cmocka_unit_test_setup(device_has_the_stiffness_of_its_layout, seed),
+    cmocka_unit_test_setup(network_is_the_device, seed),
+    cmocka_unit_test_setup(characteristic_vanishes_at_the_eigenvalues, seed),
+    cmocka_unit_test_setup(limits_are_the_simpler_layouts, seed),
     cmocka_unit_test_setup(device_gives_no_energy, seed),
     cmocka_unit_test_setup(device_alone_is_stable, seed),
     cmocka_unit_test_setup(unusable_divisors_end_the_run, seed),

@@ -66,7 +66,7 @@ static void random_gear(double u[])
 
 /* ---- the paper's definitions ------------------------------------------- */
 
-typedef double complex cplx;
+typedef double _Complex cplx;
 
 static const double tiny = 1e-40; /* complex step */
 

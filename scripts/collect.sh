@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Collects what the figures' scripts left in build/tables into
+#   results/special_points.csv, boundary_points.csv and widths.csv
+# Where a figure has not been made in this tree its rows stay as they are.
+. "$(dirname "$0")/lib.sh"
+
+# collect FILE PART HEAD... -- KEY=FIGURE...: the head lines, then for each FIGURE
+# build/tables/PART.FIGURE.csv, or the rows of FILE whose first column is KEY.
+collect() {
+  local file=$1 part=$2 key=''
+  shift 2
+  mkdir -p build/tables results
+  {
+    while [ "$1" != -- ]; do echo "$1"; shift; done
+    shift
+    for key; do
+      if [ -f "build/tables/$part.${key#*=}.csv" ]; then
+        cat "build/tables/$part.${key#*=}.csv"
+      elif [ -f "$file" ]; then
+        awk -F, -v key="${key%%=*}" '$1 == key' "$file"
+      fi
+    done
+  } > "$file.new"
+  replace "$file"
+}
+
+collect results/special_points.csv points \
+  "# Special points of AUTO's runs. V m/s, c_d N m s/rad, k_s N m/rad (inf: rigid), b N m s^2/rad," \
+  "# frequency_hz Hz, psi_max deg, dstar_max m (orbits only). type: HB Hopf, HH double Hopf, TR torus," \
+  "# LP extremum of c_d along a Hopf curve (boundary point; figures 10 to 15: where a region is born or two meet)," \
+  "# UZ a speed or a k_s asked for." \
+  figure,layout,run,type,V,c_d,k_s,b,frequency_hz,psi_max,dstar_max \
+  -- 6=fig06 7=fig07 10=fig10 13=fig13 15=fig15
+
+collect results/boundary_points.csv boundary \
+  "# Boundary points over k_s: extrema of c_d along the Hopf curves of the (V, c_d) plane (models/boundary.h)." \
+  "# b N m s^2/rad, k_s N m/rad (inf: rigid), c_d N m s/rad, V m/s. name: BP1 top of the low psi region, BP3 bottom" \
+  "# of the high one, BP2_l and BP2_u bottom and top of a delta region, psi3 top of a third psi region, onset: birth" \
+  "# of a delta region, meet: of two psi regions' meeting; type LP there. Every second point of AUTO's." \
+  layout,b,curve,name,type,k_s,c_d,V,frequency_hz,extremum,shimmy \
+  -- l2=fig10 li1=fig13 li2=fig15
+
+collect results/widths.csv widths \
+  "# The widest zero-shimmy interval over k_s: b N m s^2/rad, k_s N m/rad, c_lo to c_hi and width N m s/rad, V_lo and" \
+  "# V_hi m/s at the bounds, lower and upper: which boundary point bounds it, limit: what ends its growth over k_s." \
+  "# Between the multiples of 10 stand the b where limit or lower change hands; each interval is tested by Routh." \
+  layout,b,k_s,c_lo,c_hi,width,V_lo,V_hi,lower,upper,limit \
+  -- li1=fig13 li2=fig15

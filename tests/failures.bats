@@ -1,0 +1,295 @@
+# failures.bats - does each wrong input, and each failed run, say so in its line?
+#
+# Wrong input ends with status 2 and one line that names the file, the value,
+# and what would be right; a failed run with status 1 and one line that names
+# the run, its constants file and the reason, with the end of AUTO's output
+# below it. Neither touches the results that are there.
+#
+# Needs   the models (make models)
+# Writes  build/tests/failures
+
+bats_require_minimum_version 1.5.0
+load scratch
+
+setup_file() {
+  scratch failures
+  auto_run straight l1.straight -- HB=4
+  auto_run psi l1.periodic from=straight -- TR=1 closed=1
+}
+
+setup() {
+  cd "$SCRATCH" || return
+}
+
+# refuses PATTERN command...: status 2 and one line that has the pattern
+refuses() {
+  local pattern=$1
+  shift
+  run -2 "$@"
+  # shellcheck disable=SC2053 # a pattern
+  if [ "${#lines[@]}" -ne 1 ] || [[ $output != $pattern ]]; then
+    printf 'expected the one line  %s\ngot  %s\n' "$pattern" "$output"
+    return 1
+  fi
+}
+
+# refuses_file LINE PATTERN SED: a c.l1.straight that sed changed, at that line
+refuses_file() {
+  mkdir -p build/tmp
+  sed -E "$3" constants/c.l1.straight >build/tmp/c.l1.bad
+  run -1 cmp -s build/tmp/c.l1.bad constants/c.l1.straight
+  refuses "build/tmp/c.l1.bad:$1: $2" auto_run bad build/tmp/c.l1.bad -- HB=4
+  [ ! -e build/runs/bad ]
+}
+
+# line WORD: number of the line of c.l1.straight that begins so
+line() {
+  grep -n "^$1" constants/c.l1.straight | cut -d: -f1
+}
+
+# fails PATTERN NAME CONSTANTS ...: status 1, the first line has the pattern and
+# the names of the run and its file, the others end as AUTO's output ended
+fails() {
+  local pattern=$1 log=build/runs/$2.part/auto.log
+  shift
+  run -1 auto_run "$@"
+  # shellcheck disable=SC2053 # a pattern
+  if [[ ${lines[0]} != "$1 (constants/c.$2): "$pattern ]] ||
+    [[ ${lines[1]} != *"AUTO's output ($log)"* ]] || [ "${#lines[@]}" -gt 8 ] || [ ! -f "$log" ]; then
+    printf 'expected  %s (constants/c.%s): %s\ngot  %s\n' "$1" "$2" "$pattern" "$output"
+    return 1
+  fi
+  if [ -s "$log" ]; then
+    [[ ${lines[-1]} == *"$(grep . "$log" | tail -n 1)" ]]
+  fi
+  [ ! -e "build/runs/$1/stamp" ] || [ -n "${made_before:-}" ]
+}
+
+## Constants files
+
+@test "a constant AUTO does not know" {
+  refuses_file "$(line DS)" "'DSX' is not an AUTO constant*" 's/^DS  *=/DSX =/'
+}
+
+@test "a constant given twice" {
+  refuses_file "$(line DS)" "DS is given twice*" 's/^(DS *=.*)/\1, DS = 1/'
+}
+
+@test "a name that is no parameter, wherever one may stand" {
+  refuses_file "$(line ICP)" "ICP: 'c_q' is not a name of parnames" "/^ICP/s/'c_d'/'c_q'/"
+  refuses_file "$(line PAR)" "PAR: 'c_q' is not a name of parnames" "/^PAR/s/'c_d'/'c_q'/"
+  refuses_file "$(line UZSTOP)" "UZSTOP: 'W' is not a name of parnames" "/^UZSTOP/s/'V'/'W'/"
+  refuses_file "$(line UZSTOP)" "UZR: 'W' is not a name of parnames" "s/^UZSTOP.*/UZR = {'W': 1.0}/"
+  refuses_file "$(line THL)" "THL: 'perod' is not a name of parnames" "/^THL/s/period/perod/"
+}
+
+@test "a parameter under a wrong slot, or under another name" {
+  refuses_file "$(line parnames)" "parnames: c_d stands under 1; it is PAR(2)" \
+    "/^parnames/s/1: 'V', 2: 'c_d'/1: 'c_d', 2: 'V'/"
+  refuses_file "$(line parnames)" "parnames: PAR(2) is called 'c_q'; its name is c_d" "/^parnames/s/'c_d'/'c_q'/"
+}
+
+@test "states that are not as many as NDIM" {
+  refuses_file "$(line NDIM)" "NDIM = 8, but unames names 7 states" '/^NDIM/s/7/8/'
+}
+
+@test "brackets and quotes left open" {
+  refuses_file "$(line ICP)" "ICP: a bracket or quote is left open" '/^ICP/s/]//'
+  refuses_file "$(line PAR)" "PAR: a bracket or quote is left open" '/^PAR/s/}//'
+  refuses_file "$(line ICP)" "ICP: a bracket or quote is left open" "/^ICP/s/'V'/'V/"
+}
+
+@test "no file, no layout, no such run to start from" {
+  refuses 'a: no constants file constants/c.l1.none' auto_run a l1.none --
+  refuses 'a: no constants file build/tmp/none' auto_run a build/tmp/none --
+  mkdir -p build/tmp
+  cp constants/c.l1.straight build/tmp/c.l9.straight
+  refuses "a: build/tmp/c.l9.straight *'l9'*no models/l9.c" auto_run a build/tmp/c.l9.straight -- HB=4
+  refuses 'a: starts from none, which has not been made' auto_run a l1.periodic from=none -- closed=1
+}
+
+## Values
+
+@test "values outside their range, in a file or handed over" {
+  refuses_file "$(line PAR)" 'c_d = -1 N m s/rad is outside its range; it must not be below 0' '/^PAR/s/3.6e4/-1/'
+  refuses '*c.l1.straight*: c_d = -1 N m s/rad is outside its range; it must not be below 0' auto_run a l1.straight c_d=-1 --
+  refuses '*c.l1.straight*: V = -1 m/s is outside its range; it must not be below 0' auto_run a l1.straight V=-1 --
+  refuses '*c.l1.straight*: k_s = 0 N m/rad is outside its range; it must be above 0 (1e30 *)' auto_run a l1.straight k_s=0 --
+  refuses '*c.l1.straight*: l = 0 m is outside its range; it must be above 0' auto_run a l1.straight l=0 --
+  refuses '*c.l1.periodic*: k_psi = 0 *it must be above 0*' auto_run a l1.periodic from=straight k_psi=0 --
+}
+
+@test "values that are no finite numbers" {
+  local value
+  for value in nan NaN inf -inf 1e999 0x10 one 1,2 '1 2'; do
+    refuses "*c.l1.straight*: c_d = $value is not a finite number" auto_run a l1.straight "c_d=$value" --
+  done
+  refuses_file "$(line PAR)" "c_d = nan is not a finite number" '/^PAR/s/3.6e4/nan/'
+  refuses '*c.l1.straight*: NMX = many is not a finite number' auto_run a l1.straight NMX=many --
+}
+
+@test "words that are no settings" {
+  refuses "*c.l1.straight: 'c_q' is neither an AUTO constant nor a parameter*" auto_run a l1.straight c_q=1 --
+  refuses "*c.l1.straight: 'c_d': expected NAME=VALUE" auto_run a l1.straight c_d --
+  refuses "*c.l1.straight: 'c_d=': expected NAME=VALUE" auto_run a l1.straight c_d= --
+  refuses '*c.l1.straight*ICP*left open*' auto_run a l1.straight "ICP=['V', 'period'" --
+}
+
+@test "a file of parameters that is none" {
+  refuses 'none: No such file*' auto_run a l1.straight gear=none --
+  refuses "constants/c.l1.hopf: expected one constant, PAR*" auto_run a l1.straight gear=constants/c.l1.hopf --
+  sed 's/phi/psi/' constants/gear.printed >build/tmp.gear
+  refuses "build/tmp.gear:*: PAR: 'psi' is not a parameter*" auto_run a l1.straight gear=build/tmp.gear --
+}
+
+@test "words the figure scripts do not know" {
+  refuses "fig06: no runs 'z'; there are a b c" scripts/fig06.sh runs z
+  refuses 'usage: scripts/fig06.sh *' scripts/fig06.sh all-of-it
+}
+
+## Runs
+
+@test "no convergence (MX)" {
+  fails '*MX: no convergence*' mx l1.straight EPSU=1e-30 EPSL=1e-30 -- HB=4
+  fails '*MX: no convergence*' mx l1.hopf from=straight DS=100 DSMIN=100 DSMAX=100 -- UZ=1
+  fails '*MX: no convergence*' mx l1.periodic from=straight EPSU=1e-30 EPSL=1e-30 -- closed=1
+}
+
+@test "steps used up" {
+  fails '*ended at EP: the steps (NMX) were used up*' few l1.straight NMX=50 -- HB=0
+  fails '*ended at EP: the steps (NMX) were used up*' few l1.periodic from=straight NMX=10 -- TR=0
+}
+
+@test "points missing or too many" {
+  fails 'expected 5 HB, found 4*' wrong l1.straight -- HB=5
+  fails 'expected 3 HB, found 4*' wrong l1.straight -- HB=3
+  fails 'expected 2 TR, found 1*' wrong l1.periodic from=straight -- TR=2 closed=1
+  fails '*expected 1 closed, found 0*' wrong l1.straight -- HB=4 closed=1
+}
+
+@test "a start that is not in the solutions" {
+  fails '*' start l1.periodic from=straight IRS="'HB9'" -- closed=1
+  [[ $output == *'HB9 not found'* ]]
+  fails '*' start l1.hopf -- UZ=1
+}
+
+# judge SED: judges the psi branch with its b. file changed
+judge() {
+  cp build/runs/psi/d.psi fort.9
+  sed -E "$1" build/runs/psi/b.psi >fort.7
+  awk -v expect="${2:-TR=1 closed=1}" -f scripts/auto.awk -f scripts/judge.awk fort.9 fort.7
+}
+
+@test "the judge passes a good run and finds what is wrong with others" {
+  run -0 judge ''
+  [ "$output" = 'TR 30.7865 closed' ]
+  run -0 judge '30s/[0-9.]+E[-+][0-9]+/NaN/3'
+  [[ $output == *'FAIL not-a-number'* ]]
+  # the label of the torus point taken away
+  run -0 judge 's/^( +-?[0-9]+ +-?[0-9]+ +)8 /\10 /'
+  [[ $output == *'FAIL 7 stable eigenvalues become 5 without a label between V = 30.'* ]]
+  [[ $output == *'FAIL expected 1 TR, found 0'* ]]
+  run -0 judge '/^ +[1-9-]/d'
+  [[ $output == *'FAIL AUTO computed no solution'* ]]
+}
+
+@test "AUTO that stops with a status of its own" {
+  local code
+  cp build/models/l1.exe l1.exe
+  for code in 3 139; do
+    printf '#!/bin/sh\necho something broke\nexit %s\n' $code >build/models/l1.exe
+    run auto_run stops l1.straight -- HB=4
+    cp l1.exe build/models/l1.exe
+    [ "$status" -eq 1 ]
+    [[ $output == *"stops (constants/c.l1.straight): "*"status $code"* ]]
+    [[ $output == *'something broke'* ]]
+  done
+}
+
+## What was there before
+
+@test "a run that fails or is refused leaves the one before as it was" {
+  made_before=yes
+  auto_run kept l1.straight c_d=5e3 -- HB=2
+  sha256sum build/runs/kept/* >kept.sums
+  fails 'expected 3 HB, found 2*' kept l1.straight c_d=5e3 -- HB=3
+  sha256sum --check --quiet kept.sums
+  run -2 auto_run kept l1.straight c_d=-5e3 -- HB=2
+  sha256sum --check --quiet kept.sums
+  # and it still counts as made
+  run -0 auto_run kept l1.straight c_d=5e3 -- HB=2
+  [ -z "$output" ]
+}
+
+@test "tables that cannot be made leave the ones before as they were" {
+  local part
+  mkdir -p results build/tables
+  cp "$ROOT"/results/*.csv results
+  : >build/tables/points.fig06.csv
+  sha256sum results/* build/tables/* >kept.sums
+  run ! scripts/fig06.sh tables # no runs
+  sha256sum --check --quiet kept.sums
+  run ! scripts/fig07.sh tables
+  sha256sum --check --quiet kept.sums
+  # one run of many missing
+  scripts/fig06.sh runs
+  cp -rp build/runs all
+  for part in fig06.a.psi fig06.c.psi fig06.b.straight; do
+    rm -r "build/runs/$part"
+    run ! scripts/fig06.sh tables
+    sha256sum --check --quiet kept.sums
+    cp -rp "all/$part" build/runs
+  done
+}
+
+@test "the shimmy of a region is not guessed when its orbits are missing" {
+  scripts/fig06.sh runs
+  scripts/fig07.sh runs hopf
+  cp -rp build/runs/fig06.c.psi c.psi
+  # torus curves: any will do here
+  for curve in torus_psi torus_delta; do
+    for way in up down; do
+      mkdir -p "build/runs/fig07.$curve.$way"
+      for file in b d; do
+        cp "build/runs/fig07.low.up/$file.fig07.low.up" "build/runs/fig07.$curve.$way/$file.fig07.$curve.$way"
+      done
+      cp build/runs/fig07.low.up/origin "build/runs/fig07.$curve.$way"
+    done
+  done
+  run -0 scripts/fig07.sh tables
+  cp results/fig07.csv kept.csv
+  rm -r build/runs/fig06.c.psi
+  run ! scripts/fig07.sh tables
+  cmp kept.csv results/fig07.csv
+}
+
+@test "the table of targets is not replaced by half of one" {
+  mkdir -p results
+  cp "$ROOT"/results/*.csv results
+  rm -rf build/tables
+  sha256sum results/*.csv >kept.sums
+  run ! scripts/targets.sh
+  sha256sum --check --quiet kept.sums
+}
+
+@test "a target that is missed is said to be, with status 1" {
+  local tables=(results/special_points.csv results/fig06.csv results/fig07.csv tests/targets.csv)
+  mkdir -p results
+  cp "$ROOT"/results/*.csv results
+  awk -f scripts/targets.awk "${tables[@]}" >met
+  grep -q '^V-H1,.*,yes$' met
+  sed -i 's/13\.4307[0-9]*/13.45/' results/special_points.csv
+  awk -f scripts/targets.awk "${tables[@]}" >missed
+  [ "$(diff met missed | grep '^>')" = "$(grep '^V-H1,.*,13.45,.*,no$' missed | sed 's/^/> /')" ]
+}
+
+## Models
+
+@test "a model that does not compile stops a script, and no old one runs" {
+  made_by_make --silent models
+  sed -i 's/T_d = par/T_d = pra/' models/l1.c
+  run ! env -u MLG_BUILT scripts/fig06.sh runs c
+  [[ $output == *pra* ]]
+  [ ! -e build/runs/fig06.c.straight/stamp ] || [ -e all ]
+  cp "$ROOT/models/l1.c" models
+}
