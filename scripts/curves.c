@@ -17,8 +17,8 @@
  *   c_d, V   where to start: just inside an edge; closed: beside a fold
  *   way      1 if c_d rises from there along the curve, -1 if it falls
  *   stop     closed: the period, s, at which the curve has come round once
- *   length   of the curve, 1 m/s counting as 1000 N m s/rad
  *   V_range  how far the curve extends in V, m/s
+ *   step     for AUTO to make a smooth picture, 1 m/s counting as 1000 N m s/rad
  *   extrema  where c_d has an extremum along it, as V:c_d, blanks between
  * Bad input: one line, status 2.
  */
@@ -357,17 +357,37 @@ static struct point extremum_between(const struct characteristic *f, struct poin
   return a;
 }
 
+/* The step with which chords stay within 0.04 % of a picture's size of the curve
+ * everywhere; such a picture shows 100 m/s by two decades of c_d. */
+static double smooth_step(const struct curve *curve)
+{
+  double step = 1.;
+
+  for (int i = 1; i + 1 < curve->n; i++) {
+    const struct point *a = &curve->point[i - 1], *b = a + 1, *c = a + 2;
+    const double x1 = (b->V - a->V) / 100., y1 = 0.5 * log10(b->c / a->c);
+    const double x2 = (c->V - b->V) / 100., y2 = 0.5 * log10(c->c / b->c);
+    const double auto_length = hypot(c->V - a->V, 1e-3 * (c->c - a->c)) / 2.;
+    const double length = hypot(x1 + x2, y1 + y2) / 2.;
+    /* turn of the tangent over that length */
+    const double turn = fabs(x1 * y2 - x2 * y1) / (hypot(x1, y1) * hypot(x2, y2) + 1e-300);
+
+    if (b->c > 500. && length * turn > 0.)
+      step = fmin(step, auto_length * sqrt(8. * 4e-4 / (length * turn)));
+  }
+  return step;
+}
+
 static void print_curve(const double par[], const struct characteristic *f,
                         const struct curve *curve, int number)
 {
   const struct point *p = curve->point;
   const struct point *start = &p[start_of(curve)];
   struct point shown = p[curve->n / 2], extremum[16];
-  double length = 0., lowest = p[0].V, highest = p[0].V;
+  double lowest = p[0].V, highest = p[0].V;
   int extrema = 0;
 
   for (int i = 1; i < curve->n; i++) {
-    length += hypot(p[i].V - p[i - 1].V, 1e-3 * (p[i].c - p[i - 1].c));
     lowest = fmin(lowest, p[i].V);
     highest = fmax(highest, p[i].V);
     if (p[i].root == p[i - 1].root && p[i].slope * p[i - 1].slope < 0. && extrema < 16)
@@ -380,7 +400,7 @@ static void print_curve(const double par[], const struct characteristic *f,
          start->c, start->V, start[1].c > start->c ? 1 : -1);
   if (curve->closed)
     printf("%.14g", 2. * MLG_PI / p[curve->n - 1 - start_of(curve) / 2].omega);
-  printf(",%.6g,%.6g,", length, highest - lowest);
+  printf(",%.6g,%.3g,", highest - lowest, smooth_step(curve));
   for (int i = 0; i < extrema; i++)
     printf("%s%.12g:%.12g", i ? " " : "", extremum[i].V, extremum[i].c);
   printf("\n");
@@ -423,7 +443,7 @@ int main(int argc, char *argv[])
     set(par, argv[i]);
   f = characteristic(par);
   curves = all_curves(&f, &n);
-  printf("curve,kind,shimmy,c_d,V,way,stop,length,V_range,extrema\n");
+  printf("curve,kind,shimmy,c_d,V,way,stop,V_range,step,extrema\n");
   for (int i = 0; i < n; i++) {
     print_curve(par, &f, &curves[i], i + 1);
     free(curves[i].point);

@@ -27,7 +27,7 @@ BEGIN { free = 1 } # the column of ICP(1)
 constant["ISW"] == 1 && constant["ISP"] > 0 {
   count = stable_count[point]
   if (solutions > 2 && count != was_count && type == "" && was_type == "")
-    fail(was_count " stable eigenvalues become " count " without a label between " column[free] " = " was_free " and " value[column[free]])
+    fail(was_count " stable eigenvalues become " count " without a label between " column[free] " = " was_free " and " value[column[free]] " (a smaller DSMAX finds it)")
   was_count = count
 }
 
@@ -35,7 +35,7 @@ constant["ISW"] == 1 && constant["ISP"] > 0 {
 constant["ILP"] > 0 && solutions > 2 {
   turns = (value[column[free]] - was_free) * (was_free - before_free) < 0
   if (turns && was_type != "LP")
-    fail("fold without a label near " column[free] " = " was_free)
+    fail("fold without a label near " column[free] " = " was_free " (a smaller DSMAX finds it)")
   if (!turns && was_type == "LP")
     fail("LP at " column[free] " = " was_free " is not an extremum")
 }

@@ -324,30 +324,35 @@ static struct interval widest_at(double par[], double compliance)
 static void print_widest(double par[])
 {
   const double golden = 0.6180339887498949, step = 0.0025;
-  double best = 0., width = -1., left, right;
-  struct interval w;
+  double best = 0., left, right;
+  struct interval widest = { 0., 0., 0., 0. };
 
   for (double compliance = 0.; compliance < 0.35; compliance += step) {
-    w = widest_at(par, compliance);
-    if (w.hi - w.lo > width) {
-      width = w.hi - w.lo;
+    const struct interval w = widest_at(par, compliance);
+
+    if (w.hi - w.lo > widest.hi - widest.lo) {
+      widest = w;
       best = compliance;
     }
   }
   left = fmax(0., best - step);
   right = best + step;
   for (int i = 0; i < 40; i++) {
-    const double a = right - golden * (right - left), b = left + golden * (right - left);
-    const struct interval wa = widest_at(par, a), wb = widest_at(par, b);
+    const double at[2] = { right - golden * (right - left), left + golden * (right - left) };
+    const struct interval w[2] = { widest_at(par, at[0]), widest_at(par, at[1]) };
 
-    if (wa.hi - wa.lo > wb.hi - wb.lo)
-      right = b;
+    for (int k = 0; k < 2; k++)
+      if (w[k].hi - w[k].lo > widest.hi - widest.lo) {
+        widest = w[k];
+        best = at[k];
+      }
+    if (w[0].hi - w[0].lo > w[1].hi - w[1].lo)
+      right = at[1];
     else
-      left = a;
+      left = at[0];
   }
-  w = widest_at(par, right);
   printf("compliance,k_s,c_lo,c_hi,V_lo,V_hi,width\n%.10g,%.10g,%.10g,%.10g,%.10g,%.10g,%.10g\n",
-         right, 1e5 / right, w.lo, w.hi, w.V_lo, w.V_hi, w.hi - w.lo);
+         best, 1e5 / best, widest.lo, widest.hi, widest.V_lo, widest.V_hi, widest.hi - widest.lo);
 }
 
 /* One row of AUTO's boundary-point curves. */

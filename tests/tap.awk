@@ -28,7 +28,7 @@ function failure(text) {
 function success(word) {
   show()
   noise = ""
-  sub(/^(not )?ok [0-9]+( -)? */, "")
+  sub(/^(not )?ok [0-9]+( -)? *(# SKIP )?/, "")
   print line(word, $0)
   fflush()
 }
