@@ -184,3 +184,11 @@ width_rows() { # LAYOUT PREFIX
   done < "$widths_table.rows" >> "$widths_table.new"
   rm "$widths_table.rows"
 }
+
+# A row of widths.csv for a b at which no k_s has a zero-shimmy interval.
+no_interval() { # LAYOUT B
+  local width
+  width=$("build/bin/scan-$1" widest b="$2" | awk -F, 'NR == 2 { print $7 }')
+  [ "$width" = 0 ] || fail "widths of $1: at b = $2 there is an interval of $width"
+  echo "$1,$2,,,,0,,,,,no interval at any k_s" >> "$widths_table.new"
+}

@@ -56,20 +56,20 @@ function match_known(i,    k, difference) {
 }
 
 # Keeps a point when leaving it out would move the line: V over 100 m/s, c_d over
-# 4e4 N m s/rad or over four decades.
+# 4e4 N m s/rad or over two decades.
 function thin(    from, i, k) {
   row(1)
   for (from = 1; from < n; from = i) {
     for (i = from + 1; i < n && kind[i] == "" && i - from < 40; i++) {
       for (k = from + 1; k <= i; k++)
-        if (off_line(k, from, i + 1, 0) > 5e-4 ^ 2 || off_line(k, from, i + 1, 1) > 5e-4 ^ 2) break
+        if (off_line(k, from, i + 1, 0) > 3e-4 ^ 2 || off_line(k, from, i + 1, 1) > 3e-4 ^ 2) break
       if (k <= i) break
     }
     row(i)
   }
 }
 
-function height(i, logarithmic) { return logarithmic ? log(c[i]) / log(1e4) : c[i] / 4e4 }
+function height(i, logarithmic) { return logarithmic ? log(c[i]) / log(100) : c[i] / 4e4 }
 
 # The square of the distance of point k from the line between i and j.
 function off_line(k, i, j, logarithmic,    x, y, dx, dy, length2, t) {

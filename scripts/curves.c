@@ -294,13 +294,9 @@ static void reverse(struct curve *curve)
   }
 }
 
-/* Where to start: the index of a point, on a closed curve beside its first
- * point.  A straight run has to cross the curve there. */
-static int start_of(const struct curve *curve) { return curve->closed ? 8 : 0; }
-
-static double crossing(const struct curve *curve)
+static double auto_distance(const struct point *a, const struct point *b)
 {
-  return fabs(curve->point[start_of(curve)].slope);
+  return hypot(b->V - a->V, 1e-3 * (b->c - a->c));
 }
 
 /* Whole curves: the open ones first. */
@@ -328,10 +324,10 @@ static struct curve *all_curves(const struct characteristic *f, int *n)
         entry = 1;
       curve = follow(f, &all, s, entry);
       if (!closed) {
-        const double here = crossing(&curve);
+        /* from the end where a straight run crosses it better */
+        const double first = fabs(curve.point[0].slope), last = fabs(curve.point[curve.n - 1].slope);
 
-        reverse(&curve);
-        if (crossing(&curve) < here)
+        if (last > first)
           reverse(&curve);
       }
       if (*n == room)
@@ -341,6 +337,24 @@ static struct curve *all_curves(const struct characteristic *f, int *n)
   free(samples.sample);
   free(all.stretch);
   return curves;
+}
+
+/* A closed curve begins at a fold of the period.  AUTO starts at a point past the
+ * fold and stops at one before it, where the period is as one half of the way
+ * to the start; AUTO must not step over fold and both, so the way is longer than its step. */
+static int start_of(const struct curve *curve, double step)
+{
+  const struct point *p = curve->point, *last = p + curve->n - 1;
+  double way = 0.;
+  int i = 0;
+
+  if (!curve->closed)
+    return 0;
+  while (way < 1.5 * step && i < POINTS / 4) {
+    way += auto_distance(&p[i], &p[i + 1]) + auto_distance(last - i, last - i - 1);
+    i++;
+  }
+  return 2 * i;
 }
 
 /* The extremum of c_d between two neighbours, where slope changes its sign. */
@@ -357,9 +371,10 @@ static struct point extremum_between(const struct characteristic *f, struct poin
   return a;
 }
 
-/* The step with which chords stay within 0.04 % of a picture's size of the curve
- * everywhere; such a picture shows 100 m/s by two decades of c_d. */
-static double smooth_step(const struct curve *curve)
+/* The step with which chords stay within 0.04 % of a picture's size of the curve.
+ * The picture shows 100 m/s by two decades of c_d above 500; bounds on the step
+ * keep small closed curves round and long ones cheap. */
+static double smooth_step(const struct curve *curve, double V_range)
 {
   double step = 1.;
 
@@ -367,7 +382,7 @@ static double smooth_step(const struct curve *curve)
     const struct point *a = &curve->point[i - 1], *b = a + 1, *c = a + 2;
     const double x1 = (b->V - a->V) / 100., y1 = 0.5 * log10(b->c / a->c);
     const double x2 = (c->V - b->V) / 100., y2 = 0.5 * log10(c->c / b->c);
-    const double auto_length = hypot(c->V - a->V, 1e-3 * (c->c - a->c)) / 2.;
+    const double auto_length = auto_distance(a, c) / 2.;
     const double length = hypot(x1 + x2, y1 + y2) / 2.;
     /* turn of the tangent over that length */
     const double turn = fabs(x1 * y2 - x2 * y1) / (hypot(x1, y1) * hypot(x2, y2) + 1e-300);
@@ -375,17 +390,16 @@ static double smooth_step(const struct curve *curve)
     if (b->c > 500. && length * turn > 0.)
       step = fmin(step, auto_length * sqrt(8. * 4e-4 / (length * turn)));
   }
-  return step;
+  return curve->closed ? fmax(V_range / 300., fmin(V_range / 30., step)) : fmax(0.15, step);
 }
 
 static void print_curve(const double par[], const struct characteristic *f,
                         const struct curve *curve, int number)
 {
   const struct point *p = curve->point;
-  const struct point *start = &p[start_of(curve)];
   struct point shown = p[curve->n / 2], extremum[16];
-  double lowest = p[0].V, highest = p[0].V;
-  int extrema = 0;
+  double lowest = p[0].V, highest = p[0].V, step;
+  int extrema = 0, start;
 
   for (int i = 1; i < curve->n; i++) {
     lowest = fmin(lowest, p[i].V);
@@ -395,12 +409,14 @@ static void print_curve(const double par[], const struct characteristic *f,
   }
   if (extrema)
     shown = extremum[0];
+  step = smooth_step(curve, highest - lowest);
+  start = start_of(curve, step);
   printf("%d,%s,%s,%.12g,%.12g,%d,", number, curve->closed ? "closed" : "open",
          delta_over_psi(par, shown.V, shown.omega * I) > 1. ? "delta" : "psi",
-         start->c, start->V, start[1].c > start->c ? 1 : -1);
+         p[start].c, p[start].V, p[start + 1].c > p[start].c ? 1 : -1);
   if (curve->closed)
-    printf("%.14g", 2. * MLG_PI / p[curve->n - 1 - start_of(curve) / 2].omega);
-  printf(",%.6g,%.3g,", highest - lowest, smooth_step(curve));
+    printf("%.14g", 2. * MLG_PI / p[curve->n - 1 - start / 2].omega);
+  printf(",%.6g,%.3g,", highest - lowest, step);
   for (int i = 0; i < extrema; i++)
     printf("%s%.12g:%.12g", i ? " " : "", extremum[i].V, extremum[i].c);
   printf("\n");

@@ -19,20 +19,17 @@
 # finds the Hopf point there, then the curve, from edge to edge or once round.
 hopf_curves() {
   local layout=$1 name=$2 started curves closed at
-  local number kind way stop c_d V length range turns settings stops
+  local number kind way stop c_d V range step turns settings stops
   shift 2
   started=$(date +%s%N)
   build
   mkdir -p build/tables
   "build/bin/curves-$layout" "$@" > "build/tables/$name.curves" || exit $?
   "build/bin/scan-$layout" points "$@" > "build/tables/$name.extrema" || exit $?
-  while IFS=, read -r number kind _ c_d V way stop length range turns; do
+  while IFS=, read -r number kind _ c_d V way stop range step turns; do
     [ "$number" != curve ] || continue
-    mapfile -t settings < <(awk -v V="$V" -v range="$range" -v length_="$length" -v way="$way" -v turns="$turns" 'BEGIN {
+    mapfile -t settings < <(awk -v V="$V" -v range="$range" -v step="$step" -v way="$way" 'BEGIN {
       reach = range / 200 < 0.01 ? range / 200 : 0.01 # no other curve so near
-      step = length_ / 100
-      if (turns && step > range / 30) step = range / 30
-      if (step > 1) step = 1
       printf "V=%.12g\nDS=%g\nDSMAX=%g\nUZSTOP={\x27V\x27: %.12g}\n", V - reach, reach / 4, reach / 4, V + reach
       printf "DS=%g\nDSMAX=%g\n", way * (step < 0.1 ? step / 10 : 0.01), step }')
     run "$name.$number.start" "$layout.straight" "$@" c_d="$c_d" "${settings[@]:0:4}" -- HB=1 UZ=1 > /dev/null

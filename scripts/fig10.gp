@@ -1,7 +1,10 @@
 # fig10.gp - Figure 10 from results/fig09.csv, fig10.csv, boundary_points.csv
 load "scripts/regions.gp"
 file = "results/fig10.csv"
-shown = "1e+06" # k_s of the diagram in (a)
+# the diagram in (a): 4 curve, 5 shimmy, 6 type, 7 V, 8 c_d of results/fig09.csv, a block a curve
+shown = "< awk -F, '$1==\"a\" && $3==\"1e6\" {if($4!=last)print \"\"; last=$4; print}' results/fig09.csv"
+extremum(y) = strcol(6) eq "LP" ? y : NaN
+bp(shimmy, V, c) = shimmy eq "psi" ? (c < 8000 ? "BP1" : "BP3") : (c < 12000 ? "BP2_l" : "BP2_u")
 stats curve("l2", "0", "onset") using 6 name "onset" nooutput
 stats curve("l2", "0", "meet") using 6 name "meet" nooutput
 do for [ending in "png svg"] {
@@ -28,15 +31,19 @@ do for [ending in "png svg"] {
   set title "(c) width in damping of the zero-shimmy region" offset 0,-0.5
   set xrange [0.4:2.4]; set yrange [0:11]
   set ylabel "width (kN m s/rad)"
-  set label 1 "BP1 to BP3" at 0.60,8.5 right; set label 2 "BP2_u to BP3" at 0.86,4 left; set label 3 "BP1 to BP2_l" at 1.1,1.5 left
+  set label 1 "BP1 to BP3" at 0.64,8.5 right; set label 2 "BP2_u to BP3" at 0.735,2.6 right; set label 3 "BP1 to BP2_l" at 1.0,1.9 left
   plot region("l2", "0", file) using (mega*$1):(kilo*$4) with lines lc rgb "black" lw 2
   unset label
   # (a) the four boundary points in the (V, c_d) plane
   set lmargin at screen 0.08; set rmargin at screen 0.45; set bmargin at screen 0.56; set tmargin at screen 0.95
-  set title sprintf("(a) boundary points, k_s = %.3g MN m/rad", mega*shown) offset 0,-0.5
-  set xrange [0:80]; set yrange [0:80]
+  set title "(a) boundary points, k_s = 1 MN m/rad" offset 0,-0.5
+  set xrange [0:80]; set yrange [0:60]
   set xlabel "V (m/s)"; set ylabel "c_d (kN m s/rad)"
-  load "scripts/fig10a.gp"
+  set label 1 "ψ-shimmy" at 18,45 center; set label 2 "δ-shimmy" at 38.5,19 center rotate by 90; set label 3 "ψ-shimmy" at 13,1.2 center font ",10"
+  plot shown using 7:(kilo*$8) with lines ls 3, \
+       shown using 7:(extremum(kilo*$8)) with points ls 7, \
+       shown using 7:(extremum(kilo*$8)):(bp(strcol(5), $7, $8)) with labels offset 0,0.9
+  unset label
   unset multiplot
   unset output
 }

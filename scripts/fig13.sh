@@ -50,6 +50,7 @@ tables() {
     boundary_points 13 li1 "$b"
   done
   width_rows li1 fig13.width
+  no_interval li1 200
   end_regions
 }
 

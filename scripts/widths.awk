@@ -2,7 +2,7 @@
 #   awk -v layout=li1 -f auto.awk -f widths.awk b.RUN
 # The multiples of 10 of b, and the last point, where another limit takes over.
 # limit, by closing: what ends the growth of the width over k_s.
-# After the largest b the stationary width is a minimum; those rows are left out.
+# After the largest b the stationary width is a minimum: the last point is there.
 function name(i) {
   if (value["ratio_" i] > 1) return value["kind_" i] < 0 ? "BP2_u" : "BP2_l"
   if (value["kind_" i] > 0) return "BP3"
@@ -24,7 +24,8 @@ BEGIN {
 {
   for (n = 1; ("V_" (n + 1)) in value; n++) ;
   b = value["b"]
-  turned = turned || (rows++ > 0 && b < b_was)
+  if (!turned && rows++ > 0 && b < b_was) { turned = 1; last = previous }
+  if (!turned) previous = row(sprintf("%.8g", b))
   b_was = b
   tens = int(b / 10 + 0.5) * 10
   if (type != "" && !turned && (b - tens) ^ 2 < 1e-12) { print row(tens); last = "" }
