@@ -14,13 +14,14 @@ export MLG_BUILT = yes
 # A layout is a models/ file that ends by including plugin.h.
 layouts := $(patsubst models/%.c,%,$(shell grep -l '^#include "plugin.h"' models/*.c))
 models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.exe) \
-          $(layouts:%=build/bin/scan-%) build/bin/constants
+          $(layouts:%=build/bin/scan-%) $(layouts:%=build/bin/curves-%) build/bin/constants
 goals := $(or $(MAKECMDGOALS),figures)
 
 .PHONY: figures models collect test test-programs check-scripts setup clean distclean help always
 
 figures: ## every figure and the table of paper against computed values
 	@scripts/targets.sh
+	@scripts/summary.sh
 
 models: $(models) ## the layouts as AUTO executables, build/models/*.exe
 
@@ -49,9 +50,13 @@ build/models/%.boundary.o: models/%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -fcx-limited-range -DMLG_BOUNDARY -MMD -MP -isystem $(AUTO_INCLUDE) -c $< -o $@
 
-build/bin/scan-%: scripts/scan.c models/%.c Makefile
-	@mkdir -p $(@D)
-	@$(CC) $(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$*.c"' -MMD -MP $< -lm -o $@
+# two programs that need no AUTO, around the same device
+define tool_rule
+build/bin/$(1)-%: scripts/$(1).c models/%.c Makefile
+	@mkdir -p $$(@D)
+	@$$(CC) $$(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$$*.c"' -MMD -MP $$< -lm -o $$@
+endef
+$(foreach tool,scan curves,$(eval $(call tool_rule,$(tool))))
 
 build/models/%.exe: build/models/%.o
 	@$(AUTO_FC) $< $(AUTO_LINK) -o $@
@@ -68,10 +73,13 @@ build/bin/constants: scripts/constants.c models/mlg.h Makefile
 # always asked and seldom work.  fig06.a is the part runs_a of scripts/fig06.sh.
 parts_fig06 := a b c
 parts_fig07 := hopf torus_psi_up torus_psi_down torus_delta
+parts_fig09 := a b
 parts_fig10 := l2
+parts_fig12 := b20_30 b70_100 b130_150
 parts_fig13 := low high widths
+parts_fig14 := b50 b100
 parts_fig15 := low high widths
-figures := fig06 fig07 fig10 fig13 fig15
+figures := fig06 fig07 fig09 fig10 fig12 fig13 fig14 fig15
 
 define figure_rules
 .PHONY: $(1) $(1).tables $(parts_$(1):%=$(1).%)
@@ -88,6 +96,9 @@ figures: $(figures)
 fig07.hopf: fig06.a fig06.c
 fig07.torus_psi_up fig07.torus_psi_down fig07.torus_delta: fig06.a
 
+# its diagram (a) is one of Figure 9
+fig10: fig09.tables
+
 # what the figures share, of those asked for
 asked := $(filter $(figures),$(goals))
 collect: $(addsuffix .tables,$(or $(asked),$(figures)))
@@ -95,8 +106,11 @@ collect: $(addsuffix .tables,$(or $(asked),$(figures)))
 
 fig06: ## Figure 6: one-parameter diagrams in V, layout L1
 fig07: ## Figure 7: the (V, c_d) plane, layout L1
+fig09: ## Figure 9: Hopf curves for several k_s, layout L2
 fig10: ## Figure 10: boundary points over k_s, layout L2
+fig12: ## Figure 12: Hopf curves for several k_s and b, layout LI1
 fig13: ## Figure 13: boundary points and largest width, layout LI1
+fig14: ## Figure 14: Hopf curves for several k_s and b, layout LI2
 fig15: ## Figure 15: zero-shimmy regions and largest width, layout LI2
 
 # --- tests -----------------------------------------------------------------

@@ -1,6 +1,7 @@
 # shellcheck shell=bash
 # boundary.sh - runs of the algebraic boundary problem (models/boundary.h);
 # sourced after lib.sh by the scripts of Figures 10, 13 and 15.
+# shellcheck disable=SC2154,SC2028 # variables of lib.sh; text for awk and AUTO
 
 # The points of scan-LAYOUT at one compliance and b, without the edges, as
 # "V c_d frequency extremum shimmy" a line, by rising c_d.

@@ -454,12 +454,18 @@ int main(int argc, char *argv[])
   parse(&c, argv[1]);
   for (int i = 2; i < argc; i++) {
     const char *equals = strchr(argv[i], '=');
-    const char *name, *value;
+    const char *name, *value, *end;
+    int lines = 0;
 
     if (!equals || equals == argv[i] || !equals[1])
       bad_input(argv[1], 0, "'%s': expected NAME=VALUE", argv[i]);
     name = copy(argv[i], (size_t)(equals - argv[i]));
     value = equals + 1;
+    end = value_end(value, &lines);
+    if (strcmp(name, "gear") != 0 && !end)
+      bad_input(argv[1], 0, "%s: a bracket or quote is left open", name);
+    if (strcmp(name, "gear") != 0 && *end)
+      bad_input(argv[1], 0, "%s = %s is not a finite number", name, value);
     if (strcmp(name, "gear") == 0)
       set_gear(&c, value);
     else if (is_auto_constant(name, NULL))

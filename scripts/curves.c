@@ -36,7 +36,10 @@ static const double f_least = 0.5, f_most = 40., f_step = 0.002; /* Hz */
 
 /* --- Hopf points at one frequency ------------------------------------------- */
 
-struct sample { double omega, D, c[2], V[2]; int fold; };
+struct sample {
+  double omega, D, c[2], V[2];
+  int fold; /* -1: there is no Hopf point below this omega, 1: none above */
+};
 
 static struct sample sample(const struct characteristic *f, double omega)
 {
@@ -125,7 +128,7 @@ static void add_with_fold(struct samples *list, const struct characteristic *f, 
       else
         out = middle;
     }
-    in.fold = 1;
+    in.fold = p.D < 0. ? 1 : -1;
     add_finely(list, f, in, 30);
   }
   add_finely(list, f, p, 30);
@@ -214,14 +217,14 @@ static struct stretches all_stretches(const struct characteristic *f, const stru
 
       if (!is_inside(&p[i], k))
         continue;
-      if (p[i].fold)
+      if (p[i].fold < 0)
         s.fold[0] = i;
       else if (i > 0)
         s.omega[0] = edge(f, k, p[i].omega, p[i - 1].omega);
-      while (i + 1 < list->n && is_inside(&p[i + 1], k))
+      while (p[i].fold <= 0 && i + 1 < list->n && is_inside(&p[i + 1], k))
         i++;
       s.omega[1] = p[i].omega;
-      if (p[i].fold)
+      if (p[i].fold > 0)
         s.fold[1] = i;
       else if (i + 1 < list->n)
         s.omega[1] = edge(f, k, p[i].omega, p[i + 1].omega);

@@ -29,7 +29,8 @@ hopf_curves() {
   while IFS=, read -r number kind _ c_d V way stop range step turns; do
     [ "$number" != curve ] || continue
     mapfile -t settings < <(awk -v V="$V" -v range="$range" -v step="$step" -v way="$way" 'BEGIN {
-      reach = range / 200 < 0.01 ? range / 200 : 0.01 # no other curve so near
+      # so near that no other Hopf point disturbs the search for this one
+      reach = range < 1 ? range / 1000 : 0.001
       printf "V=%.12g\nDS=%g\nDSMAX=%g\nUZSTOP={\x27V\x27: %.12g}\n", V - reach, reach / 4, reach / 4, V + reach
       printf "DS=%g\nDSMAX=%g\n", way * (step < 0.1 ? step / 10 : 0.01), step }')
     run "$name.$number.start" "$layout.straight" "$@" c_d="$c_d" "${settings[@]:0:4}" -- HB=1 UZ=1 > /dev/null

@@ -41,14 +41,17 @@ runs_torus_psi_down() { torus_runs psi down; }
 runs_torus_delta() { torus_runs delta up down; }
 
 tables() {
-  local curve
+  local psi delta low # alone, so that a failure ends the script
+  psi=$(shimmy_of fig06.a.psi)
+  delta=$(shimmy_of fig06.a.delta)
+  low=$(shimmy_of fig06.c.psi)
   begin_table results/fig07.csv \
     "# Figure 7. curve; shimmy: what the region bounded by a Hopf curve shows, psi or delta; V m/s;" \
     "# c_d N m s/rad; type: HH double Hopf, LP boundary point. A curve runs from edge to edge, or HH to HH." \
     curve,shimmy,type,V,c_d
-  curve "psi,$(shimmy_of fig06.a.psi)" fig07.psi
-  curve "delta,$(shimmy_of fig06.a.delta)" fig07.delta
-  curve "low,$(shimmy_of fig06.c.psi)" fig07.low
+  curve "psi,$psi" fig07.psi
+  curve "delta,$delta" fig07.delta
+  curve "low,$low" fig07.low
   curve torus_psi, fig07.torus_psi
   curve torus_delta, fig07.torus_delta
   end_table

@@ -12,8 +12,8 @@
 . "$(dirname "$0")/lib.sh"
 . scripts/curves.sh
 
-small_50="5e5 6e5 8e5 1e6" large_50="1.4e6 1.5e6 2.1e6 3e6"
-small_100="6e5 8e5 8.4e5 1e6" large_100="1.5e6 2e6 2.1e6 3e6"
+small_50="6e5 8e5 1e6" large_50="1.4e6 2e6 3e6"
+small_100="6e5 8e5 8.4e5 1e6" large_100="1.4e6 2e6 2.1e6 3e6"
 
 # shellcheck disable=SC2086 # a word for each k_s
 {

@@ -29,7 +29,7 @@ build() {
 #   TYPE=COUNT  how many points of that type the run has to find
 run() {
   local name=$1 constants=$2 from='' model='' settings=() dir="build/runs/$1"
-  local file="constants/c.$2" base started found stamp work
+  local file="constants/c.$2" base started found stamp status work
   shift 2
   while [ $# -gt 0 ] && [ "$1" != -- ]; do
     case $1 in
@@ -66,10 +66,10 @@ run() {
     return
   fi
   started=$(date +%s%N)
-  (cd "$work" && "../../../$model") > "$work/auto.log" 2>&1 \
-    || { cat "$work/auto.log" >&2; fail "$name ($file): AUTO stopped with status $?; see $work/auto.log" 2; }
-  touch "$work/fort.7"
-  found=$(awk -v expect="$*" -f scripts/auto.awk -f scripts/judge.awk "$work/fort.9" "$work/fort.7")
+  status=0
+  (cd "$work" && "../../../$model") > "$work/auto.log" 2>&1 || status=$?
+  touch "$work"/fort.{7,8,9}
+  found=$(awk -v expect="$*" -v status="$status" -f scripts/auto.awk -f scripts/judge.awk "$work/fort.9" "$work/fort.7")
   if grep -q '^FAIL ' <<< "$found"; then
     { echo "$name ($file): $(grep '^FAIL ' <<< "$found" | sed 's/^FAIL //' | paste -sd ';')"
       echo "  end of AUTO's output ($work/auto.log):"

@@ -12,7 +12,7 @@ type ~ /^(HB|ZH|TR|LP|BP|GH)$/ || (type == "UZ" && user_point()) {
         sprintf("%.5f", 1 / value["period"]) "," number(value["psi_max"], 6) "," number(value["dstar_max"], 6)
 }
 
-# A point the user asked for: not the run's last, and not a helper beside a TR.
+# A point the user asked for, and not a helper on either side of a TR.
 function user_point() {
-  return constant["IPS"] == 2 && constant["ISW"] == 1 && (value["torus"] ^ 2 - 1e-8) ^ 2 > 1e-20
+  return constant["IPS"] == 2 && constant["ISW"] == 1 && value["torus"] ^ 2 > 1e-6
 }

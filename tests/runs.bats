@@ -153,7 +153,7 @@ committed() { # file: into committed/
   for table in committed/*; do
     diff "$table" "results/${table##*/}" | head -n 10 || true
   done
-  return 1
+  false
 }
 
 ## Against eigenvalues
@@ -162,12 +162,12 @@ committed() { # file: into committed/
   local panel c_d expected
   for panel in a:3.6e4:4 b:5e3:2 c:2e3:2; do
     IFS=: read -r panel c_d expected <<<"$panel"
-    oracle boundary free=V from=0.1 to=200 c_d="$c_d" | awk 'NR > 1 { print $1, $2 }' >oracle
-    [ "$(wc -l <oracle)" -eq "$expected" ]
+    oracle boundary free=V from=0.1 to=200 c_d="$c_d" | awk 'NR > 1 { print $1, $2 }' >expected.txt
+    [ "$(wc -l <expected.txt)" -eq "$expected" ]
     [ "$(special_points "fig06.$panel.straight" HB V | wc -l)" -eq "$expected" ]
-    paste -d' ' <(special_points "fig06.$panel.straight" HB V) <(cut -d' ' -f1 oracle) |
+    paste -d' ' <(special_points "fig06.$panel.straight" HB V) <(cut -d' ' -f1 expected.txt) |
       near_each 1e-7 "V in panel $panel"
-    paste -d' ' <(special_points "fig06.$panel.straight" HB frequency_hz) <(cut -d' ' -f2 oracle) |
+    paste -d' ' <(special_points "fig06.$panel.straight" HB frequency_hz) <(cut -d' ' -f2 expected.txt) |
       near_each 1e-6 "frequency in panel $panel"
   done
 }
@@ -180,8 +180,8 @@ oracle_at() {
 @test "double Hopf points are those of the eigenvalues, the same on both curves" {
   local run V c_d
   for run in fig07.psi.down fig07.delta.down; do
-    [ "$(special_points $run HH V | wc -l)" -eq 2 ]
-    special_points $run HH V c_d >points
+    [ "$(special_points "$run" HH V | wc -l)" -eq 2 ]
+    special_points "$run" HH V c_d >points
     while read -r V c_d; do
       read -r V_oracle c_d_oracle <<<"$(oracle_at hh "$V" "$c_d")"
       near "$V" "$V_oracle" 2e-6 "V on $run"
@@ -193,7 +193,7 @@ oracle_at() {
 @test "the boundary points (LP) are folds of the eigenvalues" {
   local run V c_d
   for run in fig07.psi.down fig07.delta.down fig07.low.up; do
-    special_points $run LP V c_d >points
+    special_points "$run" LP V c_d >points
     [ "$(wc -l <points)" -eq 1 ]
     while read -r V c_d; do
       read -r V_oracle c_d_oracle <<<"$(oracle_at fold "$V" "$c_d")"
@@ -204,17 +204,17 @@ oracle_at() {
 }
 
 @test "the zero-shimmy interval is the only one of the eigenvalues, whatever the speed" {
-  oracle interval V_lo=0.5 step=0.25 c_d_steps=60 | awk '$1 > 100.1 && $1 < 9.99e4 && $2 != "-" { print $1 }' >oracle
-  paste -d' ' <({ special_points fig07.low.up LP c_d; special_points fig07.delta.down LP c_d; }) oracle |
+  oracle interval V_lo=0.5 step=0.25 c_d_steps=60 | awk '$1 > 100.1 && $1 < 9.99e4 && $2 != "-" { print $1 }' >expected.txt
+  paste -d' ' <({ special_points fig07.low.up LP c_d; special_points fig07.delta.down LP c_d; }) expected.txt |
     near_each 1e-6 "end of the interval"
 }
 
 @test "no region of shimmy is missed in the plane of Figure 7" {
-  local c_d
-  for c_d in $(awk 'BEGIN { for (i = 0; i < 80; i++) print 10 * 8000 ^ ((i + 0.5) / 80) }'); do
-    oracle map V_lo=0.5 V_hi=200 V_n=400 c_d_n=3 \
-      c_d_lo="$(awk "BEGIN { print $c_d * 0.998 }")" c_d_hi="$(awk "BEGIN { print $c_d * 1.002 }")"
-  done >map.csv
+  local lo hi
+  awk 'BEGIN { for (i = 0; i < 80; i++) { c = 10 * 8000 ^ ((i + 0.5) / 80); print 0.998 * c, 1.002 * c } }' |
+    while read -r lo hi; do
+      oracle map V_lo=0.5 V_hi=200 V_n=400 c_d_lo="$lo" c_d_hi="$hi" c_d_n=3
+    done >map.csv
   awk -f "$ROOT/tests/runs/regions.awk" results/fig07.csv map.csv
 }
 
@@ -231,7 +231,7 @@ branches() {
 @test "torus points are found whatever the step" {
   local dsmax branch
   for dsmax in 0.05 0.2 0.5 1.0 2.0; do
-    branches "torus.$dsmax" DSMAX=$dsmax NMX=3000
+    branches "torus.$dsmax" DSMAX="$dsmax" NMX=3000
     for branch in psi delta; do
       near "$(value "torus.$dsmax.$branch" TR V)" "$(value "fig06.a.$branch" TR V)" 1e-6 "V of TR at DSMAX=$dsmax"
     done
@@ -243,24 +243,24 @@ branches() {
   local column
   branches fine NTST=40 EPSL=1e-9 EPSU=1e-9 EPSS=1e-8
   for column in V period psi_max dstar_max; do
-    near "$(value fig06.a.psi TR $column)" "$(value fine.psi TR $column)" 5e-7 "$column of TR, psi"
-    near "$(value fig06.a.delta TR $column)" "$(value fine.delta TR $column)" 5e-7 "$column of TR, delta"
+    near "$(value fig06.a.psi TR "$column")" "$(value fine.psi TR "$column")" 5e-7 "$column of TR, psi"
+    near "$(value fig06.a.delta TR "$column")" "$(value fine.delta TR "$column")" 5e-7 "$column of TR, delta"
   done
   for column in period psi_max dstar_max; do
-    near "$(value fig06.a.psi UZ $column 20)" "$(value fine.psi UZ $column 20)" 5e-7 "$column of A"
-    near "$(value fig06.a.delta UZ $column 40)" "$(value fine.delta UZ $column 40)" 5e-7 "$column of B"
+    near "$(value fig06.a.psi UZ "$column" 20)" "$(value fine.psi UZ "$column" 20)" 5e-7 "$column of A"
+    near "$(value fig06.a.delta UZ "$column" 40)" "$(value fine.delta UZ "$column" 40)" 5e-7 "$column of B"
   done
 }
 
 @test "the gear as printed moves the upper end of the interval by 1.5 percent" {
   local gear=gear=constants/gear.printed end as_printed
-  auto_run printed.straight l1.straight $gear c_d=3.6e4 -- HB=4
+  auto_run printed.straight l1.straight "$gear" c_d=3.6e4 -- HB=4
   auto_run printed.hopf l1.hopf from=printed.straight IRS="'HB2'" DS=-0.1 -- LP=1
   end=$(special_points fig07.delta.down LP c_d)
   as_printed=$(value printed.hopf LP c_d)
   awk -v x="$as_printed" -v y="$end" 'BEGIN { print x, y, 100 * (x - y) / y " %"; exit !((x - y) ^ 2 > (0.014 * y) ^ 2 && (x - y) ^ 2 < (0.016 * y) ^ 2) }'
-  oracle fold V=36 c_d="$as_printed" phi=0.0524 M=19900 >fold
-  near "$as_printed" "$(awk '$1 == "c_d" { print $3 }' fold)" 1e-6 "c_d with the gear as printed"
+  oracle fold V=36 c_d="$as_printed" phi=0.0524 M=19900 >expected.txt
+  near "$as_printed" "$(awk '$1 == "c_d" { print $3 }' expected.txt)" 1e-6 "c_d with the gear as printed"
 }
 
 ## Making runs again
