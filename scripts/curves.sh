@@ -50,19 +50,12 @@ hopf_curves() {
 # Compares their extrema and adds a row to $table.check: name, curves, closed ones,
 # extrema, largest relative difference.
 curve_rows() { # PREFIX NAME
-  local prefix=$1 name=$2 number kind shimmy
-  while IFS=, read -r number kind shimmy _; do
-    [ "$number" != curve ] || continue
-    printf '%s\n' "$prefix$number,$shimmy" "$kind" "build/runs/$name.$number/b.$name.$number"
-  done < "build/tables/$name.curves" | {
-    mapfile -t list
-    files=()
-    for ((i = 0; i < ${#list[@]}; i += 3)); do
-      files+=("prefix=${list[i]}" "closed_curve=${list[i + 1]/open/}" "${list[i + 2]}")
-    done
-    awk -v name="$name" -v check="$table.check" -f scripts/auto.awk -f scripts/curves.awk \
-      "build/tables/$name.curves" "build/tables/$name.extrema" "${files[@]}" >> "$table.new"
-  }
+  local name=$2 files
+  mapfile -t files < <(awk -F, -v prefix="$1" -v name="$name" 'NR > 1 {
+    printf "prefix=%s%s,%s\nclosed_curve=%s\n", prefix, $1, $3, $2 == "closed" ? "closed" : ""
+    printf "build/runs/%s.%s/b.%s.%s\n", name, $1, name, $1 }' "build/tables/$name.curves")
+  awk -v name="$name" -v check="$table.check" -f scripts/auto.awk -f scripts/curves.awk \
+    "build/tables/$name.curves" "build/tables/$name.extrema" "${files[@]}" >> "$table.new"
 }
 
 # --- Figures 9, 12 and 14: panels of one b and several k_s ---------------------

@@ -6,6 +6,8 @@
 #   scripts/fig09.sh tables | draw
 #
 # Panels: (a) k_s from infinity down to 8e5, (b) from 5.9e5 down to 4.6e5 N m/rad.
+#         Curves are made for V up to 200 m/s and c_d from 10 to 8e4; the picture
+#         shows V up to 100 and c_d from 1e3 to 8e4 on a logarithmic axis.
 # Writes: results/fig09.csv, results/fig09.png and .svg, build/tables/check.fig09.csv
 # Expect: (a) the delta region shrinks, at 1e6 it is closed; (b) no delta region;
 #         at 5.9e5 no shimmy from 4451.9 to 10692.6, at 4.6e5 the two psi regions

@@ -6,6 +6,8 @@
 #   scripts/fig12.sh tables | draw
 #
 # Panels: a to f, b = 20, 30, 70, 100, 130, 150 N m s^2/rad.
+#         Curves are made for V up to 200 m/s and c_d from 10 to 8e4; the picture
+#         shows V up to 100 and c_d from 100 to 4e4 on a logarithmic axis.
 # Writes: results/fig12.csv, results/fig12.png and .svg, build/tables/check.fig12.csv
 # Expect: b = 30: a delta strip from c_d < 10 up to 3669 (k_s = 4e5, BP1 = 3825), to
 #         12398 at 7e5; b = 70: a small closed delta curve at 4.4e5; a third psi

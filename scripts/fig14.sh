@@ -6,6 +6,8 @@
 #   scripts/fig14.sh tables | draw
 #
 # Panels: a1, a2 b = 50 at small and large k_s; b1, b2 b = 100 N m s^2/rad.
+#         Curves are made for V up to 200 m/s and c_d from 10 to 8e4; the picture
+#         shows V up to 100 and c_d from 1e3 to 8e4 on a logarithmic axis.
 # Writes: results/fig14.csv, results/fig14.png and .svg, build/tables/check.fig14.csv
 # Expect: b = 50: a delta region from k_s = 1.392e6 on; b = 100: one below 8.58e5 (at
 #         8e5 from c_d = 2416 to 11538), none at 1e6, another from 1.998e6 on.
