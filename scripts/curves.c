@@ -427,8 +427,8 @@ static void print_curve(const double par[], const struct characteristic *f,
 
 static void set(double par[], const char *text)
 {
-  static const struct { const char *name; int slot; } names[] = {
-#define X(slot, id, name, unit, value, range, meaning) { name, PAR_##id },
+  static const struct { const char *name; int slot; char range; } names[] = {
+#define X(slot, id, name, unit, value, range, meaning) { name, PAR_##id, range },
     MLG_PARAMETERS(X)
 #undef X
   };
@@ -443,6 +443,11 @@ static void set(double par[], const char *text)
   }
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)
     if (strlen(names[i].name) == length && memcmp(names[i].name, text, length) == 0) {
+      if (names[i].range != '*' && !(value > 0. || (names[i].range == '0' && value >= 0.))) {
+        fprintf(stderr, "curves: '%s': it must %s\n", text,
+                names[i].range == '+' ? "be above 0" : "not be below 0");
+        exit(2);
+      }
       par[names[i].slot] = value;
       return;
     }

@@ -18,15 +18,19 @@
 # A curve takes two runs: a short straight one across its starting point, which
 # finds the Hopf point there, then the curve, from edge to edge or once round.
 hopf_curves() {
-  local layout=$1 name=$2 started curves closed at
-  local number kind way stop c_d V range step turns settings stops
+  local layout=$1 name=$2 started stamp curves closed at
+  local number way stop c_d V range step turns settings stops
   shift 2
   started=$(date +%s%N)
   build
   mkdir -p build/tables
   "build/bin/curves-$layout" "$@" > "build/tables/$name.curves" || exit $?
   "build/bin/scan-$layout" points "$@" > "build/tables/$name.extrema" || exit $?
-  while IFS=, read -r number kind _ c_d V way stop range step turns; do
+  # every run asks by itself whether it is up to date; asking once for all is quicker
+  stamp=$( { echo "$layout $*"; cat "build/tables/$name.curves" "constants/c.$layout."{straight,hopf} \
+    "build/models/$layout.exe" scripts/{auto.awk,judge.awk,lib.sh,curves.sh}; } | sha256sum)
+  if [ "$(cat "build/tables/$name.stamp" 2>/dev/null)" = "$stamp" ] && are_there "$name"; then return; fi
+  while IFS=, read -r number _ _ c_d V way stop range step turns; do
     [ "$number" != curve ] || continue
     mapfile -t settings < <(awk -v V="$V" -v range="$range" -v step="$step" -v way="$way" 'BEGIN {
       # so near that no other Hopf point disturbs the search for this one
@@ -38,12 +42,20 @@ hopf_curves() {
     # AUTO is to put a point on each extremum of c_d
     at=$(awk '{ gsub(/:[^ ]*/, ""); gsub(/ /, ", "); print }' <<< "$turns")
     run "$name.$number" "$layout.hopf" from="$name.$number.start" "$@" "${settings[@]:4}" \
-      UZR="{${at:+'V': [$at]}}" UZSTOP="{$stops${stop:+, 'period': $stop}}" -- > /dev/null
+      ILP=0 UZR="{${at:+'V': [$at]}}" UZSTOP="{$stops${stop:+, 'period': $stop}}" -- > /dev/null
   done < "build/tables/$name.curves"
+  echo "$stamp" > "build/tables/$name.stamp"
   curves=$(($(wc -l < "build/tables/$name.curves") - 1))
   closed=$(grep -c ,closed, "build/tables/$name.curves" || true)
   printf '  %-28s %5d ms  %s\n' "$name" $((($(date +%s%N) - started) / 1000000)) \
     "$curves curves, $closed closed"
+}
+
+are_there() { # NAME: whether all its curves are made
+  local number
+  while IFS=, read -r number _; do
+    [ "$number" = curve ] || [ -f "build/runs/$1.$number/b.$1.$number" ] || return 1
+  done < "build/tables/$1.curves"
 }
 
 # The curves of NAME as rows PREFIX,curve,shimmy,type,V,c_d of the open table.
