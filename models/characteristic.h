@@ -107,6 +107,28 @@ static inline struct jet jet(const struct characteristic *f, double _Complex s, 
   };
 }
 
+/* The two Hopf points at one frequency omega, rad/s: V = -(a + b c)/(g + d c) is
+ * real, which is a quadratic in c_d.  There is none where D < 0. */
+struct hopf_pair { double D, c[2], V[2]; };
+
+static inline struct hopf_pair hopf_pair(const struct characteristic *f, double omega)
+{
+  const double _Complex s = omega * I;
+  const double _Complex a = poly_value(&f->f[0][0], s), b = poly_value(&f->f[0][1], s);
+  const double _Complex g = poly_value(&f->f[1][0], s), d = poly_value(&f->f[1][1], s);
+  const double q0 = cimag(a * conj(g)), q1 = cimag(a * conj(d) + b * conj(g)), q2 = cimag(b * conj(d));
+  struct hopf_pair p = { .D = q1 * q1 - 4. * q0 * q2 };
+  const double root = sqrt(fmax(p.D, 0.)); /* D < 0 by rounding at a fold in omega */
+  const int big = q1 < 0.;                 /* which one is safe from cancellation */
+  const double q = big ? -q1 + root : -q1 - root;
+
+  p.c[big] = q / (2. * q2);
+  p.c[!big] = 2. * q0 / q;
+  for (int k = 0; k < 2; k++)
+    p.V[k] = -creal((a + b * p.c[k]) / (g + d * p.c[k]));
+  return p;
+}
+
 /* Where an oscillation of damping ratio zeta lives: s = omega ray, so that
  * ds/domega = ray; zeta = 0 is the Hopf curve. */
 static inline double _Complex mlg_ray(double zeta)

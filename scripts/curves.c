@@ -29,6 +29,7 @@
 #define MLG_NO_AUTO
 #include LAYOUT
 #include "characteristic.h"
+#include "arguments.h"
 
 /* the plane, m/s and N m s/rad: UZSTOP of constants/c.LAYOUT.hopf */
 static const double V_least = 0.1, V_most = 200., c_least = 10., c_most = 8e4;
@@ -43,22 +44,9 @@ struct sample {
 
 static struct sample sample(const struct characteristic *f, double omega)
 {
-  const double _Complex s = omega * I;
-  const double _Complex a = poly_value(&f->f[0][0], s), b = poly_value(&f->f[0][1], s);
-  const double _Complex g = poly_value(&f->f[1][0], s), d = poly_value(&f->f[1][1], s);
-  /* V = -(a + b c) / (g + d c) is real */
-  const double q0 = cimag(a * conj(g)), q1 = cimag(a * conj(d) + b * conj(g)), q2 = cimag(b * conj(d));
-  struct sample p = { omega, q1 * q1 - 4. * q0 * q2, { 0., 0. }, { 0., 0. }, 0 };
+  const struct hopf_pair p = hopf_pair(f, omega);
 
-  const double root = sqrt(fmax(p.D, 0.)); /* D < 0: no Hopf point, but for rounding at a fold */
-  const int big = q1 < 0.;                 /* which one is safe from cancellation */
-  const double q = big ? -q1 + root : -q1 - root;
-
-  p.c[big] = q / (2. * q2);
-  p.c[!big] = 2. * q0 / q;
-  for (int k = 0; k < 2; k++)
-    p.V[k] = -creal((a + b * p.c[k]) / (g + d * p.c[k]));
-  return p;
+  return (struct sample){ omega, p.D, { p.c[0], p.c[1] }, { p.V[0], p.V[1] }, 0 };
 }
 
 static int inside(double V, double c, double margin)
@@ -425,36 +413,6 @@ static void print_curve(const double par[], const struct characteristic *f,
   printf("\n");
 }
 
-static void set(double par[], const char *text)
-{
-  static const struct { const char *name; int slot; char range; } names[] = {
-#define X(slot, id, name, unit, value, range, meaning) { name, PAR_##id, range },
-    MLG_PARAMETERS(X)
-#undef X
-  };
-  const char *equals = strchr(text, '=');
-  const size_t length = equals ? (size_t)(equals - text) : 0;
-  char *end;
-  const double value = equals ? strtod(equals + 1, &end) : 0.;
-
-  if (!equals || end == equals + 1 || *end || !isfinite(value)) {
-    fprintf(stderr, "curves: '%s': expected NAME=NUMBER\n", text);
-    exit(2);
-  }
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-    if (strlen(names[i].name) == length && memcmp(names[i].name, text, length) == 0) {
-      if (names[i].range != '*' && !(value > 0. || (names[i].range == '0' && value >= 0.))) {
-        fprintf(stderr, "curves: '%s': it must %s\n", text,
-                names[i].range == '+' ? "be above 0" : "not be below 0");
-        exit(2);
-      }
-      par[names[i].slot] = value;
-      return;
-    }
-  fprintf(stderr, "curves: '%s': no such parameter (see models/mlg.h)\n", text);
-  exit(2);
-}
-
 int main(int argc, char *argv[])
 {
   double par[36] = { 0. };
@@ -464,7 +422,7 @@ int main(int argc, char *argv[])
 
   mlg_defaults(par);
   for (int i = 1; i < argc; i++)
-    set(par, argv[i]);
+    set_parameter("curves", par, argv[i]);
   f = characteristic(par);
   curves = all_curves(&f, &n);
   printf("curve,kind,shimmy,c_d,V,way,stop,V_range,step,extrema\n");

@@ -26,6 +26,7 @@
 #define MLG_NO_AUTO
 #include LAYOUT
 #include "characteristic.h"
+#include "arguments.h"
 
 static const double V_top = 200.;              /* operating range, m/s */
 static const double c_least = 10., c_most = 1e6; /* range of c_d looked at, N m s/rad */
@@ -37,29 +38,6 @@ static const char *const extremum_name[] = { "min", "max", "edge" };
 struct point { double omega, V, c; enum extremum extremum; };
 
 struct points { struct point *point; int n, room; };
-
-/* The two Hopf points at omega; n = 0 without. */
-struct roots { int n; double c[2], V[2]; };
-
-static struct roots hopf_points(const struct characteristic *f, double omega)
-{
-  const double _Complex s = omega * I;
-  const double _Complex a = poly_value(&f->f[0][0], s), b = poly_value(&f->f[0][1], s);
-  const double _Complex g = poly_value(&f->f[1][0], s), d = poly_value(&f->f[1][1], s);
-  /* V = -(a + b c) / (g + d c) is real */
-  const double q0 = cimag(a * conj(g)), q1 = cimag(a * conj(d) + b * conj(g)), q2 = cimag(b * conj(d));
-  const double D = q1 * q1 - 4. * q0 * q2;
-  struct roots r = { 0, { 0., 0. }, { 0., 0. } };
-
-  if (D < 0.)
-    return r;
-  r.n = 2;
-  r.c[0] = (-q1 - sqrt(D)) / (2. * q2);
-  r.c[1] = (-q1 + sqrt(D)) / (2. * q2);
-  for (int k = 0; k < 2; k++)
-    r.V[k] = -creal((a + b * r.c[k]) / (g + d * r.c[k]));
-  return r;
-}
 
 static int inside(double V, double c)
 {
@@ -174,15 +152,15 @@ static int by_c(const void *a, const void *b)
 static struct points boundary_points(const struct characteristic *f)
 {
   struct points list = { NULL, 0, 0 };
-  struct roots last = { 0, { 0., 0. }, { 0., 0. } };
+  struct hopf_pair last = { .D = -1. };
   double last_omega = 0.;
 
   for (double frequency = f_least; frequency <= f_most; frequency += f_step) {
     const double omega = 2. * MLG_PI * frequency;
-    const struct roots now = hopf_points(f, omega);
+    const struct hopf_pair now = hopf_pair(f, omega);
 
     for (int k = 0; k < 2; k++) {
-      if (now.n && last.n && (inside(now.V[k], now.c[k]) || inside(last.V[k], last.c[k]))) {
+      if (now.D >= 0. && last.D >= 0. && (inside(now.V[k], now.c[k]) || inside(last.V[k], last.c[k]))) {
         const double g0 = slope(f, last_omega, last.V[k], last.c[k]);
         const double g1 = slope(f, omega, now.V[k], now.c[k]);
         const double t = g0 / (g0 - g1);
@@ -197,9 +175,9 @@ static struct points boundary_points(const struct characteristic *f)
       }
     }
     /* the curve turns back in omega between the two samples */
-    if (now.n != last.n) {
-      const struct roots *r = now.n ? &now : &last;
-      const double w = now.n ? omega : last_omega;
+    if ((now.D >= 0.) != (last.D >= 0.)) {
+      const struct hopf_pair *r = now.D >= 0. ? &now : &last;
+      const double w = now.D >= 0. ? omega : last_omega;
 
       if (inside(r->V[0], r->c[0]) && inside(r->V[1], r->c[1])
           && slope(f, w, r->V[0], r->c[0]) * slope(f, w, r->V[1], r->c[1]) < 0.)
@@ -478,35 +456,6 @@ static int is_whole_interval(const double par[], double c_lo, double c_hi)
   return !is_zero_shimmy(&f, c_lo * 0.998) && !is_zero_shimmy(&f, c_hi * 1.002);
 }
 
-static void set(double par[], const char *text)
-{
-  static const struct { const char *name; int slot; } names[] = {
-#define X(slot, id, name, unit, value, range, meaning) { name, PAR_##id },
-    MLG_PARAMETERS(X)
-#undef X
-  };
-  const char *equals = strchr(text, '=');
-  const size_t length = equals ? (size_t)(equals - text) : 0;
-  char *end;
-  const double value = equals ? strtod(equals + 1, &end) : 0.;
-
-  if (!equals || end == equals + 1 || *end || !isfinite(value)) {
-    fprintf(stderr, "scan: '%s': expected NAME=NUMBER\n", text);
-    exit(2);
-  }
-  if (length == 10 && memcmp(text, "compliance", length) == 0) {
-    par[PAR_K_S] = 1e5 / value;
-    return;
-  }
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-    if (strlen(names[i].name) == length && memcmp(names[i].name, text, length) == 0) {
-      par[names[i].slot] = value;
-      return;
-    }
-  fprintf(stderr, "scan: '%s': no such parameter (see models/mlg.h)\n", text);
-  exit(2);
-}
-
 int main(int argc, char *argv[])
 {
   double par[36] = { 0. };
@@ -515,7 +464,7 @@ int main(int argc, char *argv[])
 
   mlg_defaults(par);
   for (int i = check ? 4 : 2; i < argc; i++)
-    set(par, argv[i]);
+    set_parameter("scan", par, argv[i]);
   if (strcmp(what, "points") == 0)
     print_points(par);
   else if (strcmp(what, "intervals") == 0)
