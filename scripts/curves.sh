@@ -115,5 +115,5 @@ if [ "${BASH_SOURCE[0]}" = "$0" ]; then
     curve,shimmy,type,V,c_d > "$table.new"
   curve_rows "" "$name"
   replace "$table"
-  column -t -s , "$table.check"
+  sed "s|,|  |g" "$table.check"
 fi

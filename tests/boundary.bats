@@ -134,3 +134,11 @@ column() { # NAME of widths.csv, for the row LAYOUT B
     paste -d ' ' <(values "$layout.soft" HB V) <(values l2.soft HB V) | near_each 1e-9 "Hopf point of $layout"
   done
 }
+
+@test "a delta region that has just been born is found, and none before" {
+  # the onset is at k_s = 786523.74; there the region is 36 mm/s wide
+  [ "$(build/bin/curves-l2 k_s=786525 | grep -c ',closed,delta,')" -eq 1 ]
+  [ "$(build/bin/curves-l2 k_s=786522 | grep -c ',delta,')" -eq 0 ]
+  bash scripts/curves.sh l2 island k_s=786525
+  [ "$(awk -F, '$2 == "delta" && $3 == "LP"' build/tables/island.csv | wc -l)" -eq 2 ]
+}

@@ -68,6 +68,15 @@ special_points() {
     }' tests/targets.csv results/targets.csv
 }
 
+@test "the Hopf curves of Figures 9, 12 and 14 have every boundary point of the scan" {
+  local figure
+  for figure in fig09 fig12 fig14; do
+    awk -F, -v figure="$figure" '
+      NR > 1 { n++; if (!($5 ~ /^[0-9.e+-]+$/ && $5 < 1e-6)) { print; wrong = 1 } }
+      END { exit wrong || n < (figure == "fig09" ? 9 : figure == "fig12" ? 24 : 14) }' "build/tables/check.$figure.csv"
+  done
+}
+
 @test "each run has found its special points, no more and no less" {
   diff <(awk -F, '$1 == 6 || $1 == 7 { print $1, $2, $3, $4 }' results/special_points.csv | sort | uniq -c | awk '{ $1 = $1 } 1') - <<'END'
 1 6 l1 fig06.a.delta TR
