@@ -65,6 +65,7 @@ run() {
     exec 9>&-
     return
   fi
+  if [ -n "${announce:-}" ]; then echo "$announce" >&2; announce=''; fi
   started=$(date +%s%N)
   status=0
   (cd "$work" && "../../../$model") > "$work/auto.log" 2>&1 || status=$?
@@ -137,11 +138,16 @@ draw() {
 main() { # FIGURE [runs [PART] | tables | draw]
   figure=$1
   local part parts
-  parts=$(declare -F | sed -n 's/^declare -f runs_//p')
+  mapfile -t parts < <(declare -F | sed -n 's/^declare -f runs_//p')
   case ${2:-all} in
     runs)
-      for part in ${3:-$parts}; do
-        declare -F "runs_$part" > /dev/null || fail "$figure: no runs '$part'; there are $(paste -sd ' ' <<< "$parts")" 2
+      for part in "${@:3}"; do
+        declare -F "runs_$part" > /dev/null || fail "$figure: no runs '$part'; there are ${parts[*]}" 2
+      done
+      [ $# -gt 2 ] || set -- "$figure" runs "${parts[@]}"
+      for part in "${@:3}"; do
+        # said with the first run that is made
+        announce="$figure: $part, part $(printf '%s\n' "${parts[@]}" | grep -nx "$part" | cut -d : -f 1) of ${#parts[@]}"
         "runs_$part"
       done ;;
     tables | draw) "$2" ;;
