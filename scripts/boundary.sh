@@ -94,7 +94,7 @@ boundary_points() { # FIGURE_NUMBER LAYOUT B
   awk -v layout="$2" -v b="$3" -v every=2 -f scripts/auto.awk -f scripts/boundary.awk "${files[@]}" \
     >> "$boundary_table.new"
   awk -v figure="$1" -v layout="$2" -v b="$3" -f scripts/auto.awk -f <(echo '
-    type == "LP" || (type == "UZ" && (value["compliance"] - asked) ^ 2 < 1e-18) {
+    type == "LP" || (type == "UZ" && asked > 0 && (value["compliance"] - asked) ^ 2 < 1e-18) {
       run = FILENAME; sub(/.*\/b\./, "", run)
       printf "%s,%s,%s,%s,%.8g,%.8g,%.8g,%s,%.5f,,\n", figure, layout, run, type, value["V_1"], value["c_1"], 1e5 / value["compliance"], b, value["f_1"]
     }') asked="${asked:-0}" "${files[@]}" >> "$points_table.new"
@@ -150,13 +150,34 @@ stop_at() { # TEST: ZERO
   echo "UZSTOP={'b': 300.0, $1}"
 }
 
-# A run in b from points and unknowns; it reports the multiples of 10.
+# The b, to 0.001, from which on the second of two runs in b has the larger width.
+equal_widths() { # RUN RUN
+  awk -f scripts/auto.awk -f <(echo '
+    { b = value["b"]; w = value["width"] }
+    FILENAME == ARGV[1] {
+      if (n && b < first_b[n]) turned = 1
+      if (!turned) { first_b[++n] = b; first_w[n] = w }
+      next
+    }
+    {
+      for (i = 1; i < n && first_b[i + 1] < b; i++) ;
+      if (i == n || b < first_b[1]) next
+      other = first_w[i] + (first_w[i + 1] - first_w[i]) * (b - first_b[i]) / (first_b[i + 1] - first_b[i])
+      gap = w - other
+      if (seen++ && gap > 0 && gap_was <= 0) { printf "%.3f", b_was + (b - b_was) * gap_was / (gap_was - gap); exit }
+      gap_was = gap; b_was = b
+    }') "build/runs/$1/b.$1" "build/runs/$2/b.$2"
+}
+
+# A run in b from points and unknowns; it reports the multiples of 10, and the b
+# of reports=B.
 widths() { # LAYOUT NUMBER CONSTANTS "POINT"... kappa=.. b=.. [KEY=VALUE ...]
-  local layout=$1 name=$figure.width.$2 constants=$3 start=() settings=()
+  local layout=$1 name=$figure.width.$2 constants=$3 start=() settings=() reports=''
   shift 3
   while [ $# -gt 0 ]; do
     case $1 in
       kappa=*) start+=("$1") ;;
+      reports=*) reports=", ${1#reports=}" ;;
       *=*) settings+=("$1") ;;
       *) start+=("$1") ;;
     esac
@@ -164,23 +185,22 @@ widths() { # LAYOUT NUMBER CONSTANTS "POINT"... kappa=.. b=.. [KEY=VALUE ...]
   done
   mapfile -t start < <(printf '%s\n' "${start[@]}")
   run "$name" "$constants" model="$layout.boundary" "$(unknowns "${start[@]}")" "${settings[@]}" \
-    UZR="{'b': [$(seq -s ', ' 0 10 290)]}" --
+    UZR="{'b': [$(seq -s ', ' 0 10 290)$reports]}" --
 }
 
-# Rows of widths.csv from the runs PREFIX.1, PREFIX.2, ...: the multiples of 10
-# of b and the points where the limit changes hands.  Every interval is tested
+# Rows of widths.csv from runs in b: the multiples of 10 and the points where the
+# limit changes hands.  Every interval is tested
 # by Routh over V, a hair on the softer side of the onset that limits it.
-width_rows() { # LAYOUT PREFIX
-  local run row b k_s c_lo c_hi
-  for run in build/runs/"$2".*/; do
-    run=$(basename "$run")
-    case $run in *.lock | *.part) continue ;; esac
-    awk -v layout="$1" -f scripts/auto.awk -f scripts/widths.awk "build/runs/$run/b.$run"
+width_rows() { # LAYOUT RUN...
+  local layout=$1 run row b k_s c_lo c_hi
+  shift
+  for run; do
+    awk -v layout="$layout" -f scripts/auto.awk -f scripts/widths.awk "build/runs/$run/b.$run"
   done > "$widths_table.rows"
   while read -r row; do
     IFS=, read -r _ b k_s c_lo c_hi _ <<< "$row"
-    "build/bin/scan-$1" check "$c_lo" "$c_hi" b="$b" k_s="$(awk -v k="$k_s" 'BEGIN { printf "%.12g", k * (1 - 1e-7) }')" \
-      || fail "widths of $1, b = $b: ($c_lo, $c_hi) at k_s = $k_s is not a zero-shimmy interval"
+    "build/bin/scan-$layout" check "$c_lo" "$c_hi" b="$b" k_s="$(awk -v k="$k_s" 'BEGIN { printf "%.12g", k * (1 - 1e-7) }')" \
+      || fail "widths of $layout, b = $b: ($c_lo, $c_hi) at k_s = $k_s is not a zero-shimmy interval"
     echo "$row"
   done < "$widths_table.rows" >> "$widths_table.new"
   rm "$widths_table.rows"

@@ -27,7 +27,7 @@ tables() {
   for b in 0 50 80 100 120 140; do
     boundary_points 15 li2 "$b"
   done
-  width_rows li2 fig15.width
+  width_rows li2 fig15.width.1
   end_regions
 }
 

@@ -120,7 +120,8 @@ static int refine(const struct characteristic *f, struct point *p)
     }
     if (!(largest < 1e30))
       return 0;
-    if (largest < 1e-11) {
+    /* beside a fold rounding keeps the steps above 1e-11 */
+    if (largest < 1e-11 || (iteration >= 12 && largest < 1e-7)) {
       if (fabs(x[0] / p->omega - 1.) > 0.02)
         return 0;
       *p = (struct point){ x[0], x[1], x[2], p->extremum };
@@ -219,11 +220,13 @@ static int is_stable(const struct characteristic *f, double V, double c)
   return 1;
 }
 
-/* No shimmy at this c_d for any V of the operating range. */
+/* No shimmy at this c_d: stable at 801 speeds of the operating range. */
 static int is_zero_shimmy(const struct characteristic *f, double c)
 {
-  for (double V = 0.05; V < V_top; V += 0.25)
-    if (!is_stable(f, V, c))
+  const double V_first = 0.05;
+
+  for (int i = 0; i <= 800; i++)
+    if (!is_stable(f, V_first + i * (V_top - V_first) / 800., c))
       return 0;
   return 1;
 }
@@ -240,9 +243,16 @@ static struct interval interval_above(const struct characteristic *f, const stru
   const double lo = i < 0 ? c_least : list->point[i].c, V_lo = i < 0 ? 0. : list->point[i].V;
   const int last = i + 1 == list->n;
   const double hi = last ? c_most : list->point[i + 1].c, V_hi = last ? 0. : list->point[i + 1].V;
+  /* where in the interval, by logarithm; more than the middle, lest a region that
+   * the list lacks lies inside */
+  static const double place[] = { 0.5, 0.02, 0.25, 0.75, 0.98 };
 
-  return hi > lo * (1. + 1e-9) && is_zero_shimmy(f, sqrt(lo * hi))
-         ? (struct interval){ lo, hi, V_lo, V_hi } : none;
+  if (!(hi > lo * (1. + 1e-9)))
+    return none;
+  for (size_t k = 0; k < sizeof place / sizeof *place; k++)
+    if (!is_zero_shimmy(f, lo * pow(hi / lo, place[k])))
+      return none;
+  return (struct interval){ lo, hi, V_lo, V_hi };
 }
 
 static void print_points(const double par[])
@@ -368,6 +378,29 @@ static struct row *read_rows(int *n)
 enum { MOST_INTERVALS = 16 };
 struct region { double compliance; int n; struct interval interval[MOST_INTERVALS]; };
 
+/* Whether row i is a fold of its curve. */
+static int is_fold(const struct row *rows, int n, int i)
+{
+  return i > 0 && i + 1 < n && rows[i - 1].curve == rows[i].curve && rows[i + 1].curve == rows[i].curve
+         && (rows[i].compliance - rows[i - 1].compliance) * (rows[i + 1].compliance - rows[i].compliance) < 0.;
+}
+
+/* How far from row i to row i + 1 the curve passes the compliance, 0 to 1, or
+ * -1.  Beside a fold the points move as the root of the distance from it. */
+static double fraction(const struct row *rows, int n, int i, double compliance)
+{
+  const struct row *a = &rows[i], *b = &rows[i + 1];
+  const double t = (compliance - a->compliance) / (b->compliance - a->compliance), slack = 1e-6;
+
+  if (a->curve != b->curve || !(t >= -slack && t <= 1. + slack))
+    return -1.;
+  if (is_fold(rows, n, i))
+    return t > 0. ? sqrt(t) : -1.;
+  if (is_fold(rows, n, i + 1))
+    return t < 1. ? 1. - sqrt(1. - t) : -1.;
+  return fmax(0., t);
+}
+
 /* Bounded by AUTO's curves: where they pass the compliance, refined there; what
  * lies between is tested by Routh. */
 static struct region region_at(double par[], double compliance, const struct row *rows, int n)
@@ -380,9 +413,9 @@ static struct region region_at(double par[], double compliance, const struct row
   f = characteristic(par);
   for (int i = 0; i + 1 < n; i++) {
     const struct row *a = &rows[i], *b = &rows[i + 1];
-    const double t = (compliance - a->compliance) / (b->compliance - a->compliance);
+    const double t = fraction(rows, n, i, compliance);
 
-    if (a->curve == b->curve && t >= 0. && t <= 1.)
+    if (t >= 0.)
       add_refined(&list, &f, (struct point){ a->point.omega + t * (b->point.omega - a->point.omega),
                                              a->point.V + t * (b->point.V - a->point.V),
                                              a->point.c * pow(b->point.c / a->point.c, t), MIN });
@@ -409,20 +442,38 @@ static void print_region(const struct region *r)
   }
 }
 
-/* The same over the compliance from 0.35 down to 0 (k_s from 2.9e5 to rigid), in
- * steps of 1 %; where an interval appears or ends between two of them, both
+static int falling(const void *a, const void *b)
+{
+  const double x = *(const double *)a, y = *(const double *)b;
+
+  return (x < y) - (x > y);
+}
+
+/* The same over the compliance from 0.35 down to 0 (k_s from 2.9e5 to rigid): in
+ * steps of 1 %, and on both sides of each fold of a curve, where a region is born
+ * or two meet.  Where an interval appears or ends between two of these, both
  * sides of that place are found by bisection. */
 static void print_regions(double par[])
 {
-  int n;
+  enum { GRID = 400, MOST = GRID + 64 };
+  double node[MOST];
+  int n, nodes = 0;
   struct row *rows = read_rows(&n);
   struct region last;
 
+  for (int i = 0; i < GRID; i++)
+    node[nodes++] = i + 1 < GRID ? 0.35 * pow(1.01, -i) : 0.;
+  for (int i = 0; i < n && nodes + 2 <= MOST; i++)
+    if (is_fold(rows, n, i))
+      for (int side = -1; side <= 1; side += 2)
+        node[nodes++] = rows[i].compliance * (1. + 1e-6 * side);
+  qsort(node, (size_t)nodes, sizeof *node, falling);
+
   printf("compliance,k_s,c_lo,c_hi,V_lo,V_hi,width\n");
-  last = region_at(par, 0.35, rows, n);
+  last = region_at(par, node[0], rows, n);
   print_region(&last);
-  for (int i = 1; i <= 400; i++) {
-    const struct region next = region_at(par, i < 400 ? 0.35 * pow(1.01, -i) : 0., rows, n);
+  for (int i = 1; i < nodes; i++) {
+    const struct region next = region_at(par, node[i], rows, n);
 
     if (next.n != last.n) {
       struct region a = last, b = next;
@@ -435,8 +486,10 @@ static void print_regions(double par[])
         else
           b = middle;
       }
-      print_region(&a);
-      print_region(&b);
+      if (a.compliance != last.compliance)
+        print_region(&a);
+      if (b.compliance != next.compliance)
+        print_region(&b);
     }
     print_region(&next);
     last = next;

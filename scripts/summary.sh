@@ -10,7 +10,7 @@ width() {
 
 # The b of LI1 at which another limit takes over.
 handovers() {
-  awk -F, '$1 == "li1" && $2 % 10 != 0 { printf "%s%.4g", n++ ? ", " : "", $2 }' results/widths.csv
+  awk -F, '$1 == "li1" && $2 % 10 != 0 { printf "%s%.5g", n++ ? ", " : "", $2 }' results/widths.csv
 }
 
 rounded() { awk -v x="$1" -v f="$2" 'BEGIN { printf f, x }'; }
@@ -50,23 +50,30 @@ TEXT
 - **L2.** The width still grows beyond the k_s = 7.86e5 N m/rad of the paper, up to
   the onset of the delta region at $(rounded "$(width 3 li2 0)" %.2f) N m/rad: $(rounded "$(width 6 li2 0)" %.1f)
   instead of 10218.6 N m s/rad. The gains below refer to this largest width.
-- **LI1, b = 30 to 40.** The paper says that the region is bounded by BP1 and BP3 and
-  largest just before BP2_u exceeds BP1. The interval between BP2_u and BP3 goes on
-  growing beyond that, until its width is stationary over k_s: $(rounded "$(width 6 li1 30)" %.1f)
-  N m s/rad at b = 30 and k_s = $(rounded "$(width 3 li1 30)" %.4g) N m/rad.
+- **LI1, b = 20.** The paper finds it like L2, with the first qualitative change at
+  b = 30. Here the delta region is born below BP1 from b = 17.64 on: at b = 20 the
+  width goes on growing after the onset, until BP2_u reaches BP1
+  (k_s = $(rounded "$(width 3 li1 20)" %.0f) N m/rad).
+- **LI1, b = 21.5 to 47.8.** The paper says of b = 30 that the region is bounded by BP1
+  and BP3 and largest just before BP2_u exceeds BP1. The interval between BP2_u and BP3
+  goes on growing beyond that, until its width is stationary over k_s:
+  $(rounded "$(width 6 li1 30)" %.1f) N m s/rad at b = 30 and k_s = $(rounded "$(width 3 li1 30)" %.0f) N m/rad.
 - **LI1, which mechanism limits the width at which b.** In turn: the onset of the delta
   region; BP2_u reaching BP1; the stationary width above BP2_u; BP2_u reaching BP1
-  again; the onset again, above BP1; the onset above the third psi region. They
-  change at b = $(handovers), the last
-  of which is where the region ends: the third psi region reaches BP3, and none is
-  left at b = 200.
+  again; the onset again, above BP1; the onset above the third psi region; BP2_u
+  reaching the top of that region. They change at b = $(handovers).
+  At the last of these only 100 N m s/rad are left: the third psi region has nearly
+  reached BP3. At b = 200 there is no zero-shimmy interval at any k_s.
+- **LI1, third psi region.** The paper sees it for b = 70 to 150. It is there at b = 30
+  too, with its top below c_d = 62 N m s/rad. Its top rises with b, and falls with k_s.
 - **LI1, the optimum.** Largest at b = $(rounded "$(best 2)" %.4f) N m s^2/rad and k_s = $(rounded "$(best 3)" %.1f) N m/rad,
   where the third psi region takes over from BP1 as the lower bound: $(rounded "$(best 6)" %.2f)
-  N m s/rad, $(awk -v x="$(best 6)" -v y="$(width 6 li2 0)" 'BEGIN { printf "%.2f", 100 * (x / y - 1) }') % more than L2. The paper's b = 140 is the nearest of its samples.
+  N m s/rad, $(awk -v x="$(best 6)" -v y="$(width 6 li2 0)" 'BEGIN { printf "%.2f", 100 * (x / y - 1) }') % more than L2. The paper's b = 140 is the nearest multiple of 10, and its 9.8 % is
+  1.12/1.02.
 - **LI2.** "This growth trend ends with b = 140" is a choice of the paper, not a
   property of the gear: the width grows on, to $(rounded "$(width 6 li2 200)" %.0f) N m s/rad at b = 200 and
   $(rounded "$(width 6 li2 300)" %.0f) at b = 300, always limited by the onset of the delta region. At b = 140
-  it is $(rounded "$(width 6 li2 140)" %.1f), $(awk -v x="$(width 6 li2 140)" -v y="$(width 6 li2 0)" 'BEGIN { printf "%.2f", 100 * (x / y - 1) }') % more than L2 (the paper's 87.2 % is 1.91/1.02).
+  it is $(rounded "$(width 6 li2 140)" %.1f), $(awk -v x="$(width 6 li2 140)" -v y="$(width 6 li2 0)" 'BEGIN { printf "%.2f", 100 * (x / y - 1) }') % more than L2 (the paper's 87.2 % is about 1.91/1.02).
 
 ## Figures
 
@@ -76,7 +83,7 @@ TEXT
   picture 9 "Hopf curves of layout L2 for several k_s; psi regions solid, delta regions dashed."
   picture 10 "Layout L2: (a) the four boundary points, (b) their c_d over k_s and the zero-shimmy region, (c) its width."
   picture 12 "Hopf curves of layout LI1 for several k_s and b."
-  picture 13 "Layout LI1: (a) boundary points and zero-shimmy regions, (b) largest width over k_s."
+  picture 13 "Layout LI1: (a) boundary points and zero-shimmy regions from k_s = 2.86e5 N m/rad on, (b) largest width over k_s."
   picture 14 "Hopf curves of layout LI2 for several k_s, b = 50 and 100."
   picture 15 "Layout LI2: (a) zero-shimmy regions, (b) largest width over k_s."
 } > results/README.md.new

@@ -1,6 +1,6 @@
 # targets.awk - the targets with what this run computed
 #   awk -f targets.awk results/special_points.csv results/fig06.csv results/fig07.csv
-#       results/boundary_points.csv results/widths.csv tests/targets.csv
+#       results/boundary_points.csv results/fig12.csv results/widths.csv tests/targets.csv
 BEGIN { FS = ","; CONVFMT = "%.9g" }
 
 /^#/ { next }
@@ -41,9 +41,8 @@ FILENAME ~ /boundary_points/ {
   if ($11 == "delta") delta_at[$1, $2, ++deltas[$1, $2]] = k_s
   if ($4 == "onset") { onset[$1, $2] = k_s; born[$1, $2]++ }
   if ($4 == "meet") meet[$1, $2] = k_s
-  if ($4 == "psi3") third[$1, $2]++
-  if ($4 == "BP2_u" && (!(($1, $2) in top) || $7 < top[$1, $2])) { top[$1, $2] = $7 }
-  if ($4 == "BP1" && (!(($1, $2) in low) || $7 < low[$1, $2])) { low[$1, $2] = $7 }
+  if ($4 == "psi3" && $7 > third[$1, $2]) third[$1, $2] = $7
+  if ($4 == "BP2_u" || $4 == "BP1") { n = ++rows[$1, $2, $4]; at[$1, $2, $4, n] = k_s; c[$1, $2, $4, n] = $7 }
   next
 }
 
@@ -53,6 +52,29 @@ FILENAME ~ /widths/ {
   bound[$1, $2] = $9
   if (!($1 in largest) || $6 > largest[$1]) { largest[$1] = $6; best_b[$1] = $2; best_k_s[$1] = $3 }
   next
+}
+
+# A closed delta curve: its last point is its first.
+FILENAME ~ /fig12/ {
+  if ($1 == "panel" || $5 != "delta") next
+  if ($2 SUBSEP $3 SUBSEP $4 != key) { key = $2 SUBSEP $3 SUBSEP $4; first = $7 "," $8 }
+  else if ($7 "," $8 == first) closed_at[$2]++
+  next
+}
+
+# c_d of a boundary point at one k_s, between AUTO's; empty outside its curve.
+function c_at(layout, b, name, k_s,    i, n) {
+  n = rows[layout, b, name]
+  for (i = 1; i < n; i++)
+    if ((at[layout, b, name, i] - k_s) * (at[layout, b, name, i + 1] - k_s) <= 0 && at[layout, b, name, i + 1] < 2 * at[layout, b, name, i])
+      return c[layout, b, name, i] + (c[layout, b, name, i + 1] - c[layout, b, name, i]) * (k_s - at[layout, b, name, i]) / (at[layout, b, name, i + 1] - at[layout, b, name, i])
+}
+
+# The top of the delta region lies below BP1 at the first k_s, above it at the second.
+function passes_BP1(b, below, above,    x, y) {
+  x = c_at("li1", b, "BP2_u", below)
+  y = c_at("li1", b, "BP2_u", above)
+  return x != "" && y != "" && x < c_at("li1", b, "BP1", below) && y > c_at("li1", b, "BP1", above)
 }
 
 # No delta region for k_s between two values, but on both sides of them.
@@ -111,16 +133,16 @@ function computed(id) {
   if (id == "Z-L2.hi") return asked("l2", "hi")
   if (id == "W-L2") return asked("l2", "hi") - asked("l2", "lo")
   if (id == "W-L2.ratio") return (asked("l2", "hi") - asked("l2", "lo")) / (value("fig07.delta.down", "LP", 1, "c_d") - value("fig07.low.up", "LP", 1, "c_d"))
-  if (id == "W-L2.max") return width["li2", 0]
+  if (id == "W-L2.max") return width["li2", 0] # LI2 without inerter is L2
   if (id == "Z-LI1.lo") return asked("li1", "lo")
   if (id == "Z-LI1.hi") return asked("li1", "hi")
   if (id == "W-LI1") return largest["li1"]
   if (id == "W-LI1.b") return best_b["li1"]
   if (id == "W-LI1.k_s") return best_k_s["li1"]
   if (id == "W-LI1.gain") return 100 * (largest["li1"] / width["li1", 0] - 1)
-  if (id == "N-LI1.strip") return yes(top["li1", 30] < low["li1", 30])
-  if (id == "N-LI1.closed") return yes(born["li1", 70] == 1 && onset["li1", 70] < 1e6)
-  if (id == "N-LI1.third") return yes(third["li1", 70] && third["li1", 100] && third["li1", 130] && third["li1", 150])
+  if (id == "N-LI1.strip") return yes(passes_BP1(30, 3.8e5, 5e5))
+  if (id == "N-LI1.closed") return yes(born["li1", 70] == 1 && closed_at[70])
+  if (id == "N-LI1.third") return yes(third["li1", 20] < 100 && third["li1", 30] < 100 && third["li1", 70] > 100 && third["li1", 100] > 100 && third["li1", 130] > 100 && third["li1", 150] > 100)
   if (id == "N-LI1.limit") return yes(bound["li1", 150] == "psi3" && bound["li1", 130] == "BP1")
   if (id == "W-LI2") return width["li2", 140]
   if (id == "W-LI2.gain") return 100 * (width["li2", 140] / width["li2", 0] - 1)

@@ -5,7 +5,7 @@
 . "$(dirname "$0")/lib.sh"
 
 awk -f scripts/targets.awk results/special_points.csv results/fig06.csv results/fig07.csv \
-  results/boundary_points.csv results/widths.csv tests/targets.csv \
+  results/boundary_points.csv results/fig12.csv results/widths.csv tests/targets.csv \
   > results/targets.csv.new
 replace results/targets.csv
 

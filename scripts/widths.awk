@@ -1,8 +1,8 @@
 # widths.awk - a run of c.boundary.width or c.boundary.rival as rows of widths.csv
 #   awk -v layout=li1 -f auto.awk -f widths.awk b.RUN
-# The multiples of 10 of b, and the last point, where another limit takes over.
-# limit, by closing: what ends the growth of the width over k_s.
-# After the largest b the stationary width is a minimum: the last point is there.
+# The points that AUTO labels: multiples of 10 of b, and where another limit takes
+# over.  limit, by closing: what ends the growth of the width over k_s.
+# After the largest b the stationary width is a minimum; those rows are left out.
 function name(i) {
   if (value["ratio_" i] > 1) return value["kind_" i] < 0 ? "BP2_u" : "BP2_l"
   if (value["kind_" i] > 0) return "BP3"
@@ -17,19 +17,16 @@ function row(b) {
 
 BEGIN {
   limit[0] = "onset of the delta region"
-  limit[1] = "BP2_u reaches BP1"
+  limit[1] = "BP2_u reaches the lower bound"
   limit[2] = "none: the width is stationary"
 }
 
 {
   for (n = 1; ("V_" (n + 1)) in value; n++) ;
   b = value["b"]
-  if (!turned && rows++ > 0 && b < b_was) { turned = 1; last = previous }
-  if (!turned) previous = row(sprintf("%.8g", b))
+  if (rows++ > 0 && b < b_was) turned = 1
   b_was = b
   tens = int(b / 10 + 0.5) * 10
-  if (type != "" && !turned && (b - tens) ^ 2 < 1e-12) { print row(tens); last = "" }
-  else if (type != "" && !turned && rows > 1) last = row(sprintf("%.8g", b))
+  whole = (b - tens) ^ 2 < 1e-12
+  if (!turned && (type == "UZ" || (type == "EP" && whole))) print row(whole ? tens : sprintf("%.8g", b))
 }
-
-END { if (last != "") print last }
