@@ -220,13 +220,13 @@ static int is_stable(const struct characteristic *f, double V, double c)
   return 1;
 }
 
-/* No shimmy at this c_d: stable at 801 speeds of the operating range. */
-static int is_zero_shimmy(const struct characteristic *f, double c)
+/* No shimmy at this c_d: stable at so many speeds of the operating range. */
+static int is_zero_shimmy(const struct characteristic *f, double c, int speeds)
 {
   const double V_first = 0.05;
 
-  for (int i = 0; i <= 800; i++)
-    if (!is_stable(f, V_first + i * (V_top - V_first) / 800., c))
+  for (int i = 0; i <= speeds; i++)
+    if (!is_stable(f, V_first + i * (V_top - V_first) / speeds, c))
       return 0;
   return 1;
 }
@@ -250,7 +250,7 @@ static struct interval interval_above(const struct characteristic *f, const stru
   if (!(hi > lo * (1. + 1e-9)))
     return none;
   for (size_t k = 0; k < sizeof place / sizeof *place; k++)
-    if (!is_zero_shimmy(f, lo * pow(hi / lo, place[k])))
+    if (!is_zero_shimmy(f, lo * pow(hi / lo, place[k]), 200))
       return none;
   return (struct interval){ lo, hi, V_lo, V_hi };
 }
@@ -504,9 +504,9 @@ static int is_whole_interval(const double par[], double c_lo, double c_hi)
   const struct characteristic f = characteristic(par);
 
   for (int i = 0; i <= 16; i++)
-    if (!is_zero_shimmy(&f, c_lo * (1. + 1e-6) * pow(c_hi / c_lo * (1. - 2e-6), i / 16.)))
+    if (!is_zero_shimmy(&f, c_lo * (1. + 1e-6) * pow(c_hi / c_lo * (1. - 2e-6), i / 16.), 800))
       return 0;
-  return !is_zero_shimmy(&f, c_lo * 0.998) && !is_zero_shimmy(&f, c_hi * 1.002);
+  return !is_zero_shimmy(&f, c_lo * 0.998, 800) && !is_zero_shimmy(&f, c_hi * 1.002, 800);
 }
 
 int main(int argc, char *argv[])
