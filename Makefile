@@ -54,16 +54,16 @@ build/models/%.boundary.o: models/%.c build/auto.mk Makefile
 define tool_rule
 build/bin/$(1)-%: scripts/$(1).c models/%.c Makefile
 	@mkdir -p $$(@D)
-	@$$(CC) $$(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$$*.c"' -MMD -MP $$< -lm -o $$@
+	@$$(CC) $$(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$$*.c"' -MMD -MP $$< -lm -o $$@.part && mv $$@.part $$@
 endef
 $(foreach tool,scan curves,$(eval $(call tool_rule,$(tool))))
 
 build/models/%.exe: build/models/%.o
-	@$(AUTO_FC) $< $(AUTO_LINK) -o $@
+	@$(AUTO_FC) $< $(AUTO_LINK) -o $@.part && mv $@.part $@
 
 build/bin/constants: scripts/constants.c models/mlg.h Makefile
 	@mkdir -p $(@D)
-	@$(CC) $(CFLAGS) $< -lm -o $@
+	@$(CC) $(CFLAGS) $< -lm -o $@.part && mv $@.part $@
 
 -include $(wildcard build/models/*.d build/bin/*.d build/tests/*.d)
 .SECONDARY:

@@ -3,6 +3,7 @@
 #   results/special_points.csv, boundary_points.csv and widths.csv
 # Where a figure has not been made in this tree its rows stay as they are.
 . "$(dirname "$0")/lib.sh"
+alone results
 
 # collect FILE PART HEAD... -- KEY=FIGURE...: the head lines, then for each FIGURE
 # build/tables/PART.FIGURE.csv, or the rows of FILE whose first column is KEY.

@@ -108,6 +108,10 @@ if [ "${BASH_SOURCE[0]}" = "$0" ]; then
   layout=$1 name=$2
   shift 2
   [ -f "models/$layout.c" ] || fail "curves: there is no models/$layout.c" 2
+  case $name in */*) fail "curves: NAME '$name' has a slash; expected a plain name" 2 ;; esac
+  case " $*" in *" V="* | *" c_d="*) fail "curves: V and c_d are the axes; give other parameters" 2 ;; esac
+  case " $*" in *" k_s="*) ;; *) set -- "$@" k_s=1e30 ;; esac
+  case " $*" in *" b="*) ;; *) set -- "$@" b=0 ;; esac
   hopf_curves "$layout" "$name" "$@"
   table=build/tables/$name.csv
   : > "$table.check"
@@ -115,5 +119,5 @@ if [ "${BASH_SOURCE[0]}" = "$0" ]; then
     curve,shimmy,type,V,c_d > "$table.new"
   curve_rows "" "$name"
   replace "$table"
-  sed "s|,|  |g" "$table.check"
+  awk -F, -v table="$table" '{ printf "  %s curves, %s closed, %s extrema of c_d met to %s; rows in %s\n", $2, $3, $4, $5, table }' "$table.check"
 fi

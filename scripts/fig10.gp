@@ -19,8 +19,8 @@ do for [ending in "png svg"] {
   set xlabel "k_s (MN m/rad)"; set ylabel "c_d (kN m s/rad)"
   set label 1 "BP3" at 1.45,21.4 tc ls 13; set label 2 "BP1" at 1.45,2.0 tc ls 11
   set label 3 "BP2_u" at 0.915,23 tc ls 12; set label 4 "BP2_l" at 1.15,5.6 tc ls 12
-  set label 5 sprintf("k_s = %.4g", mega*meet_max) at mega*meet_max+0.02,3.2
-  set label 6 sprintf("k_s = %.4g", mega*onset_max) at mega*onset_max+0.02,9.2
+  set label 5 sprintf("%.4g MN m/rad", mega*meet_max) at mega*meet_max+0.02,3.2
+  set label 6 sprintf("%.4g MN m/rad", mega*onset_max) at mega*onset_max+0.02,9.2
   plot region("l2", "0", file) using (mega*$1):(kilo*$2):(kilo*$3) with filledcurves fc rgb grey, \
        curve("l2", "0", "BP1|meet") using (mega*$6):(kilo*$7) with lines ls 11, \
        curve("l2", "0", "BP3|meet") using (mega*$6):(kilo*$7) with lines ls 13, \
@@ -31,9 +31,9 @@ do for [ending in "png svg"] {
   set title "(c) width in damping of the zero-shimmy region" offset 0,-0.5
   set xrange [0.4:2.4]; set yrange [0:11]
   set ylabel "width (kN m s/rad)"
-  set label 1 "BP1 to BP3" at 0.64,8.5 right; set label 2 "BP2_u to BP3" at 0.735,2.6 right; set label 3 "BP1 to BP2_l" at 1.0,1.9 left
+  set label 1 "BP1 to BP3" at 0.64,8.5 right; set label 2 "BP2_u to BP3" at 0.735,2.6 right; set label 3 "BP1 to BP2_l" at 1.0,1.9 left; set arrow 1 from 0.74,2.6 to 0.797,2.6
   plot region("l2", "0", file) using (mega*$1):(kilo*$4) with lines lc rgb "black" lw 2
-  unset label
+  unset label; unset arrow
   # (a) the four boundary points in the (V, c_d) plane
   set lmargin at screen 0.08; set rmargin at screen 0.45; set bmargin at screen 0.56; set tmargin at screen 0.95
   set title "(a) boundary points, k_s = 1 MN m/rad" offset 0,-0.5

@@ -20,7 +20,7 @@ do for [ending in "png svg"] {
     col = (i - 1) % 3; row = (i - 1) / 3
     set lmargin at screen 0.065 + 0.32*col; set rmargin at screen 0.325 + 0.32*col
     set tmargin at screen 0.93 - 0.305*row; set bmargin at screen 0.705 - 0.305*row
-    set title sprintf("(a%d) b = %s N m s^2/rad", row + 1, b) offset 0,-0.6
+    set title sprintf("(a%d) b = %s N m s^2/rad", i, b) offset 0,-0.6
     set xrange [0.3:1.0]; set yrange [0:20]; set xtics 0.2; set ytics 5
     set xlabel "k_s (MN m/rad)" offset 0,0.3; set ylabel "c_d (kN m s/rad)" offset 1,0
     plot region("li1", b, file) using (mega*$1):(kilo*$2):(kilo*$3) with filledcurves fc rgb grey, \
@@ -29,6 +29,7 @@ do for [ending in "png svg"] {
          curve("li1", b, "BP2_l|BP2_u|onset") using (mega*$6):(kilo*$7) with lines ls 12, \
          curve("li1", b, "psi3|meet") using (mega*$6):(kilo*$7) with lines ls 14, \
          sprintf("< awk -F, '$1==\"li1\" && $2==\"%s\"' results/widths.csv", b) using (mega*$3):(kilo*$4):(0):(kilo*($5-$4)) with vectors nohead lc rgb "black" lw 2
+    unset label # the legend, once is enough
   }
   set lmargin at screen 0.065; set rmargin at screen 0.965
   set tmargin at screen 0.31; set bmargin at screen 0.055
@@ -36,8 +37,8 @@ do for [ending in "png svg"] {
   set xrange [0:200]; set yrange [0:12]; set xtics 20; set ytics 2
   set xlabel "b (N m s^2/rad)"; set ylabel "width (kN m s/rad)" offset 1,0
   set label 1 "onset of δ-shimmy" at 16,9.2 left
-  set label 2 "by BP2_u reaching BP1" at 66,6.6 left
-  set label 3 "by BP2_u alone (stationary)" at 34,4.1 center
+  set label 2 "BP2_u reaches BP1" at 62,6.0 left; set label 7 "BP2_u reaches BP1" at 22,7.3 left
+  set label 3 "stationary above BP2_u" at 34,4.1 center
   set label 4 "onset of δ-shimmy" at 104,9.6 left
   set label 5 "onset above the third ψ region" at 198,11.2 right
   set label 6 system("awk -F, '$1==\"li1\" && $2>140 && $2<150 {printf \"largest: %.1f at b = %.2f, k_s = %.4g MN m/rad\", $6, $2, 1e-6*$3}' results/widths.csv") at 122,7.6 center

@@ -28,6 +28,7 @@ build() {
 #   KEY=VALUE   an AUTO constant or a parameter to hand over
 #   TYPE=COUNT  how many points of that type the run has to find
 run() {
+  [ $# -ge 2 ] || fail "usage: run NAME CONSTANTS [from=RUN] [KEY=VALUE ...] -- [TYPE=COUNT ...]" 2
   local name=$1 constants=$2 from='' model='' settings=() dir="build/runs/$1"
   local file="constants/c.$2" base started found stamp status work
   shift 2
@@ -134,6 +135,13 @@ draw() {
   echo "  results/$figure.png"
 }
 
+# From here on one script at a time writes the tables and pictures of NAME.
+alone() { # NAME
+  mkdir -p build/tables
+  exec 8> "build/tables/$1.lock"
+  flock 8
+}
+
 # What every figure script does with its arguments.
 main() { # FIGURE [runs [PART] | tables | draw]
   figure=$1
@@ -150,8 +158,8 @@ main() { # FIGURE [runs [PART] | tables | draw]
         announce="$figure: $part, part $(printf '%s\n' "${parts[@]}" | grep -nx "$part" | cut -d : -f 1) of ${#parts[@]}"
         "runs_$part"
       done ;;
-    tables | draw) "$2" ;;
-    all) main "$figure" runs; tables; scripts/collect.sh; draw ;;
+    tables | draw) alone "$figure"; "$2" ;;
+    all) main "$figure" runs; alone "$figure"; tables; scripts/collect.sh; draw ;;
     *) fail "usage: scripts/$figure.sh [runs [PART] | tables | draw]" 2 ;;
   esac
 }

@@ -11,8 +11,9 @@
  * At fixed frequency omega every Hopf point (V, c_d) is the root of a quadratic
  * (models/characteristic.h).  The frequencies are swept; where c_d has an
  * extremum along the curve of these points, that is a boundary point, refined
- * to rounding.  AUTO's runs start from these points, and the intervals check
- * what AUTO found.
+ * to rounding.  A closed curve between two frequencies shows as a maximum of the
+ * quadratic's discriminant.  AUTO's runs start from these points, and the
+ * intervals check what AUTO found.
  *
  * points prints CSV: c_d N m s/rad, V m/s, frequency_hz, extremum (min, max,
  * or edge: the curve leaves through V = 200), shimmy (psi, delta).
@@ -149,12 +150,79 @@ static int by_c(const void *a, const void *b)
   return (x > y) - (x < y);
 }
 
+/* Where the discriminant vanishes between a frequency where it is positive and
+ * one where it is not. */
+static double discriminant_zero(const struct characteristic *f, double positive, double negative)
+{
+  for (int i = 0; i < 60; i++) {
+    const double middle = 0.5 * (positive + negative);
+
+    if (hopf_pair(f, middle).D > 0.)
+      positive = middle;
+    else
+      negative = middle;
+  }
+  return positive;
+}
+
+/* The extrema of c_d on a closed Hopf curve, once round: up with one root from the
+ * least to the largest frequency, back with the other. */
+static void add_around(struct points *list, const struct characteristic *f, double least, double largest)
+{
+  enum { ROUND = 400 };
+  struct point last = { 0., 0., 0., MIN };
+  double g_last = 0.;
+
+  for (int i = 0; i <= ROUND; i++) {
+    const double angle = 2. * MLG_PI * i / ROUND;
+    const double omega = 0.5 * (least + largest) - 0.5 * (largest - least) * cos(angle);
+    const struct hopf_pair p = hopf_pair(f, omega);
+    const int k = angle > MLG_PI;
+    const double g = slope(f, omega, p.V[k], p.c[k]);
+
+    if (i > 0 && g * g_last < 0.)
+      add_refined(list, f, (struct point){ 0.5 * (omega + last.omega), 0.5 * (p.V[k] + last.V),
+                                           0.5 * (p.c[k] + last.c), MIN });
+    last = (struct point){ omega, p.V[k], p.c[k], MIN };
+    g_last = g;
+  }
+}
+
+/* A closed Hopf curve that lies between two frequencies of the sweep: Hopf points
+ * only where the discriminant has a maximum above 0, between left and right. */
+static void add_island(struct points *list, const struct characteristic *f, double left, double right)
+{
+  const double golden = 0.6180339887498949, from = left, to = right;
+  double top, a = right - golden * (right - left), b = left + golden * (right - left);
+  double D_a = hopf_pair(f, a).D, D_b = hopf_pair(f, b).D;
+
+  for (int i = 0; i < 70 && right - left > 1e-15 * right; i++)
+    if (D_a > D_b) {
+      right = b;
+      b = a;
+      D_b = D_a;
+      a = right - golden * (right - left);
+      D_a = hopf_pair(f, a).D;
+    } else {
+      left = a;
+      a = b;
+      D_a = D_b;
+      b = left + golden * (right - left);
+      D_b = hopf_pair(f, b).D;
+    }
+  top = 0.5 * (left + right);
+  if (hopf_pair(f, top).D > 0.)
+    add_around(list, f, discriminant_zero(f, top, from), discriminant_zero(f, top, to));
+}
+
 /* All boundary points, by rising c_d. */
 static struct points boundary_points(const struct characteristic *f)
 {
   struct points list = { NULL, 0, 0 };
-  struct hopf_pair last = { .D = -1. };
+  struct hopf_pair last = { .D = -1. }, before = { .D = -1. };
+  const double step = 2. * MLG_PI * f_step;
   double last_omega = 0.;
+  int samples = 0; /* with Hopf points, since the last one without */
 
   for (double frequency = f_least; frequency <= f_most; frequency += f_step) {
     const double omega = 2. * MLG_PI * frequency;
@@ -184,6 +252,15 @@ static struct points boundary_points(const struct characteristic *f)
           && slope(f, w, r->V[0], r->c[0]) * slope(f, w, r->V[1], r->c[1]) < 0.)
         add_refined(&list, f, (struct point){ w, 0.5 * (r->V[0] + r->V[1]), 0.5 * (r->c[0] + r->c[1]), MIN });
     }
+    /* closed curves of a few samples or none */
+    if (now.D >= 0.)
+      samples = last.D >= 0. ? samples + 1 : 1;
+    else if (last.D >= 0. && samples < 50)
+      add_around(&list, f, discriminant_zero(f, last_omega, last_omega - samples * step),
+                 discriminant_zero(f, last_omega, omega));
+    else if (before.D < last.D && last.D < 0. && last.D >= now.D)
+      add_island(&list, f, last_omega - step, omega);
+    before = last;
     last = now;
     last_omega = omega;
   }
@@ -247,7 +324,9 @@ static struct interval interval_above(const struct characteristic *f, const stru
    * the list lacks lies inside */
   static const double place[] = { 0.5, 0.02, 0.25, 0.75, 0.98 };
 
-  if (!(hi > lo * (1. + 1e-9)))
+  /* above a least c_d and below a largest one there is shimmy */
+  if (!(hi > lo * (1. + 1e-9)) || (i >= 0 && list->point[i].extremum == MIN)
+      || (!last && list->point[i + 1].extremum == MAX))
     return none;
   for (size_t k = 0; k < sizeof place / sizeof *place; k++)
     if (!is_zero_shimmy(f, lo * pow(hi / lo, place[k]), 200))
@@ -307,8 +386,7 @@ static struct interval widest_at(double par[], double compliance)
 }
 
 /* The widest interval over k_s at one b: a grid, then golden section about its
- * best node.  The width has a kink or a jump where another mechanism takes over;
- * the sweep sees a region only some way past its onset, so k_s is good to 1 %. */
+ * best node.  The width has a kink or a jump where another mechanism takes over. */
 static void print_widest(double par[])
 {
   const double golden = 0.6180339887498949, step = 0.0025;

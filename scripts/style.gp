@@ -17,6 +17,7 @@ set style line 9 lc rgb "#1f4fd8" lw 1.5           # bounds of the zero-shimmy r
 grey = "#d9d9d9"
 set border lw 1
 set tics nomirror out
+set format "%h" # without the leading blank of gnuplot's own, which shifts the labels
 set key noautotitle
 
 # Rows of a table whose column name is one of the given values.

@@ -2,6 +2,7 @@
 # The results as one readable page: results/README.md, from the tables alone.
 # Needs: results/*.csv (scripts/collect.sh, scripts/targets.sh)
 . "$(dirname "$0")/lib.sh"
+alone results
 
 # width COLUMN LAYOUT B: a cell of widths.csv (1 layout, 2 b, 3 k_s, 6 width)
 width() {
@@ -82,9 +83,9 @@ TEXT
   picture 7 "The (V, c_d) plane, layout L1. Red: Hopf curves; purple: torus curves between the double Hopf points HH; blue: the zero-shimmy interval; grey: no shimmy."
   picture 9 "Hopf curves of layout L2 for several k_s; psi regions solid, delta regions dashed."
   picture 10 "Layout L2: (a) the four boundary points, (b) their c_d over k_s and the zero-shimmy region, (c) its width."
-  picture 12 "Hopf curves of layout LI1 for several k_s and b."
+  picture 12 "Hopf curves of layout LI1 for several k_s and b; psi regions solid, delta regions dashed."
   picture 13 "Layout LI1: (a) boundary points and zero-shimmy regions from k_s = 2.86e5 N m/rad on, (b) largest width over k_s."
-  picture 14 "Hopf curves of layout LI2 for several k_s, b = 50 and 100."
-  picture 15 "Layout LI2: (a) zero-shimmy regions, (b) largest width over k_s."
+  picture 14 "Hopf curves of layout LI2 for several k_s, b = 50 and 100; psi regions solid, delta regions dashed."
+  picture 15 "Layout LI2: (a) zero-shimmy regions; vertical lines: the widest interval, where a delta region is born, (b) largest width over k_s."
 } > results/README.md.new
 replace results/README.md

@@ -3,6 +3,7 @@
 # this run.  Writes results/targets.csv and prints it readably; status 1 if a row
 # fails.  "computed" is read from the tables the runs left, never from the targets.
 . "$(dirname "$0")/lib.sh"
+alone results
 
 awk -f scripts/targets.awk results/special_points.csv results/fig06.csv results/fig07.csv \
   results/boundary_points.csv results/fig12.csv results/widths.csv tests/targets.csv \
