@@ -18,11 +18,11 @@ do for [ending in "png svg"] {
   do for [i=1:6] {
     b = word(bs, i)
     col = (i - 1) % 3; row = (i - 1) / 3
-    set lmargin at screen 0.065 + 0.32*col; set rmargin at screen 0.325 + 0.32*col
+    set lmargin at screen 0.07 + 0.32*col; set rmargin at screen 0.325 + 0.32*col
     set tmargin at screen 0.93 - 0.305*row; set bmargin at screen 0.705 - 0.305*row
     set title sprintf("(a%d) b = %s N m s^2/rad", i, b) offset 0,-0.6
     set xrange [0.3:1.0]; set yrange [0:20]; set xtics 0.2; set ytics 5
-    set xlabel "k_s (MN m/rad)" offset 0,0.3; set ylabel "c_d (kN m s/rad)" offset 1,0
+    set xlabel "k_s (MN m/rad)" offset 0,0.3; set ylabel "c_d (kN m s/rad)" offset 0,0
     plot region("li1", b, file) using (mega*$1):(kilo*$2):(kilo*$3) with filledcurves fc rgb grey, \
          curve("li1", b, "BP3|meet") using (mega*$6):(kilo*$7) with lines ls 13, \
          curve("li1", b, "BP1|meet") using (mega*$6):(kilo*$7) with lines ls 11, \

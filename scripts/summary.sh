@@ -80,7 +80,7 @@ TEXT
 
 TEXT
   picture 6 "One-parameter diagrams in V, layout L1. Blue solid: stable, red dashed: unstable; red dots: Hopf points, open circles: torus points; A and B: the solutions at V = 20 and 40 m/s."
-  picture 7 "The (V, c_d) plane, layout L1. Red: Hopf curves; purple: torus curves between the double Hopf points HH; blue: the zero-shimmy interval; grey: no shimmy."
+  picture 7 "The (V, c_d) plane, layout L1. Red: Hopf curves; purple: torus curves between the double Hopf points HH; blue: the zero-shimmy interval; grey: no shimmy. Hatched: straight rolling is unstable to psi, delta or both; which oscillation is stable there, the torus curves tell."
   picture 9 "Hopf curves of layout L2 for several k_s; psi regions solid, delta regions dashed."
   picture 10 "Layout L2: (a) the four boundary points, (b) their c_d over k_s and the zero-shimmy region, (c) its width."
   picture 12 "Hopf curves of layout LI1 for several k_s and b; psi regions solid, delta regions dashed."
