@@ -163,8 +163,11 @@ int pvls(integer ndim, const doublereal *u, doublereal *par)
   par[PAR_COMPLIANCE] = compliance;
   for (int i = 0; i < points; i++) {
     const struct boundary_point p = boundary_point(u, i);
+    const struct jet j = jet(&F, p.omega * ray, p.V, p.c);
     double *result = &par[PAR_POINT + i * POINT_RESULTS];
 
+    if (i == 0)
+      par[PAR_FOLD] = extremum_sine(&j, ray, j.F_c);
     result[POINT_V] = p.V;
     result[POINT_C] = p.c;
     result[POINT_FREQUENCY] = p.omega / (2. * MLG_PI);
@@ -175,12 +178,6 @@ int pvls(integer ndim, const doublereal *u, doublereal *par)
     par[PAR_GAP] = u[2] - u[3 * points - 4];
   if (points > 3)
     par[PAR_RIVAL] = u[5] - u[3 * points - 4];
-  {
-    const struct boundary_point p = boundary_point(u, 0);
-    const struct jet j = jet(&F, p.omega * ray, p.V, p.c);
-
-    par[PAR_FOLD] = extremum_sine(&j, ray, j.F_c);
-  }
   par[PAR_SLOPE] = width_slope(ndim, u, par, points - 2);
   par[PAR_SLOPE_1] = width_slope(ndim, u, par, 0);
   return 0;

@@ -17,7 +17,6 @@ BEGIN { free = 1 } # the column of ICP(1)
 
 {
   solutions++
-  last = type
   if (type != "" && !(type == "EP" && solutions == 1)) {
     found[type]++
     if (type != "EP" && type != "UZ")

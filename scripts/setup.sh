@@ -10,7 +10,7 @@
 # neither will do, one line names the packages and the command to give.
 #
 # Needs   bash; apt-get if something is missing
-# Writes  nothing in the checkout
+# Writes  build/setup.log while apt-get runs, nothing else in the checkout
 # Exit    0 all is there, 1 apt-get failed, 2 wrong use or no right to install
 set -euo pipefail
 
@@ -93,7 +93,8 @@ main() {
     exit 2
   fi
   say "installing$packages"
-  log=$(mktemp)
+  log=$(dirname "$0")/../build/setup.log # nothing outside the checkout
+  mkdir -p "$(dirname "$log")"
   # shellcheck disable=SC2086 # one word for each package
   if ! install_packages $packages >"$log" 2>&1; then
     tail -n 20 "$log" >&2
