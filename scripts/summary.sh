@@ -1,12 +1,34 @@
 #!/usr/bin/env bash
 # The results as one readable page: results/README.md, from the tables alone.
-# Needs: results/*.csv (scripts/collect.sh, scripts/targets.sh)
+# scripts/page.sh makes the same page in HTML of it.
+# Needs: results/*.csv (scripts/collect.sh, scripts/targets.sh) and the pictures
+# A new figure is one call of `picture` below.
 . "$(dirname "$0")/lib.sh"
 alone results
 
-# width COLUMN LAYOUT B: a cell of widths.csv (1 layout, 2 b, 3 k_s, 6 width)
-width() {
-  awk -F, -v c="$1" -v layout="$2" -v b="$3" '$1 == layout && $2 == b { print $c }' results/widths.csv
+# number FORMAT TABLE COLUMN [KEY=VALUE ...]: that column of results/TABLE.csv in
+# the first row whose columns KEY have these values
+number() {
+  local format=$1 table=results/$2.csv column=$3
+  shift 3
+  awk -F, -v format="$format" -v column="$column" -v keys="$*" '
+    /^#/ { next }
+    !known { for (i = 1; i <= NF; i++) place[$i] = i; known = 1; n = split(keys, key, " "); next }
+    {
+      for (k = 1; k <= n; k++) {
+        split(key[k], pair, "=")
+        if ($place[pair[1]] != pair[2]) next
+      }
+      printf format, $place[column]
+      found = 1
+      exit
+    }
+    END { if (!found) printf "MISSING(%s %s %s)", FILENAME, column, keys }' "$table"
+}
+
+gain() { # LAYOUT B: its largest width over that of L2, per cent
+  awk -v x="$(number %s widths width layout="$1" b="$2")" -v y="$(number %s widths width layout=li2 b=0)" \
+    'BEGIN { printf "%.2f", 100 * (x / y - 1) }'
 }
 
 # The b of LI1 at which another limit takes over.
@@ -14,24 +36,60 @@ handovers() {
   awk -F, '$1 == "li1" && $2 % 10 != 0 { printf "%s%.5g", n++ ? ", " : "", $2 }' results/widths.csv
 }
 
-rounded() { awk -v x="$1" -v f="$2" 'BEGIN { printf f, x }'; }
-
-best() { # COLUMN: of the largest width of LI1
-  awk -F, -v c="$1" '$1 == "li1" && $6 > w { w = $6; x = $c } END { print x }' results/widths.csv
+# The b at which LI1 has its largest width.
+best() {
+  awk -F, '$1 == "li1" && $6 > w { w = $6; b = $2 } END { print b }' results/widths.csv
 }
 
-picture() { # NUMBER CAPTION
-  printf '### Figure %d\n\n%s\n\n![Figure %d](fig%02d.png)\n\n' "$1" "$2" "$1" "$1"
+# picture NAME TITLE CAPTION SEE: results/NAME.png, what it is and what to see in it
+picture() {
+  [ -f "results/$1.png" ] || fail "summary: there is no results/$1.png; its script's word draw makes it"
+  printf '### %s\n\n![%s](%s.png)\n\n%s\n\n**What to see.** %s\n\n' "$2" "$2" "$1" "$3" "$4"
 }
+
+best=$(best)
 
 {
   cat <<TEXT
 # Results
 
-Made by \`make\` from AUTO's runs; every number here is read from the tables
-beside this page. \`docs/runs.md\` says how they come about and what their columns
-are.
+Made by \`make\` from AUTO's runs; every number in the table and in the texts is read from
+the tables beside this page. \`docs/runs.md\` says how they come about and what their
+columns are. Units are SI, psi in degrees; delta* = l_delta delta is the deflection of the
+strut's end in metres.
 
+- [Figures of the paper](#figures-of-the-paper)
+- [Paper against computed](#paper-against-computed)
+- [Where the paper's account differs](#where-the-papers-account-differs)
+
+## Figures of the paper
+
+TEXT
+  picture fig06 "Figure 6: shimmy over the speed, layout L1" \
+    "One-parameter diagrams in V at three dampings c_d; left the largest psi, right the largest delta*. Blue solid: stable, red dashed: unstable; red dots: Hopf points, open circles: torus points; A and B: the solutions at V = 20 and 40 m/s." \
+    "Too much damping and too little both let the gear shimmy. At c_d = 3.6e4 (a) straight rolling gives way to psi-shimmy at $(number %.2f special_points V run=fig06.a.straight) m/s, which ends in a torus point at $(number %.2f special_points V run=fig06.a.psi type=TR) m/s; the delta-shimmy on the other branch is stable from $(number %.2f special_points V run=fig06.a.delta type=TR) m/s on, so between the two torus points a disturbance decides which one is seen. At 5e3 (b) delta-shimmy alone is left, at 2e3 (c) psi-shimmy alone."
+  picture fig07 "Figure 7: where layout L1 shimmies" \
+    "The (V, c_d) plane. Red: Hopf curves; purple: torus curves between the double Hopf points HH; blue: the zero-shimmy interval; grey: no shimmy. Hatched: straight rolling is unstable to psi, delta or both; which oscillation is stable there, the torus curves tell." \
+    "Figure 6 is three horizontal cuts through this plane. Only in the strip between the two blue lines, c_d from $(number %.2f special_points c_d run=fig07.low.up type=LP) to $(number %.2f special_points c_d run=fig07.delta.down type=LP) N m s/rad, is there no shimmy at any speed: above the lower psi region and below the delta region. That is the shimmy damper's whole margin."
+  picture fig09 "Figure 9: a spring in series with the damper, layout L2" \
+    "Hopf curves for several k_s; psi regions solid, delta regions dashed. k_s infinite is L1." \
+    "As k_s falls (a) the delta region shrinks to a point and is gone, and the room between the two psi regions is free. As k_s falls further (b) the psi regions approach and merge, and no damping avoids shimmy."
+  picture fig10 "Figure 10: the best k_s of layout L2" \
+    "(a) The four boundary points, the extrema of c_d along the Hopf curves; (b) their c_d over k_s and the zero-shimmy region; (c) its width." \
+    "The region opens where the psi regions part, k_s = $(number %.0f special_points k_s figure=10 type=LP) N m/rad, and is widest just before the delta region is born inside it: $(number %.1f widths width layout=li2 b=0) N m s/rad at k_s = $(number %.0f widths k_s layout=li2 b=0) N m/rad. The edge is sharp: a slightly stiffer spring costs half of it."
+  picture fig12 "Figure 12: an inerter beside spring and damper, layout LI1" \
+    "Hopf curves for several k_s and b; psi regions solid, delta regions dashed." \
+    "At b = 20 the delta region is a small closed curve; at 30 it reaches down to small c_d. From b = 70 on a third psi region rises from below: at 130, with the k_s shown, its top is still under that of the lower psi region, at 150 it is above and bounds the shimmy-free room."
+  picture fig13 "Figure 13: the best b and k_s of layout LI1" \
+    "(a) Boundary points and zero-shimmy regions from k_s = 2.86e5 N m/rad on, (b) largest width over k_s, and what limits it." \
+    "The inerter first harms, from b = 0 to about 40, then helps: the largest width, $(number %.1f widths width layout=li1 b="$best") N m s/rad at b = $(number %.2f widths b layout=li1 b="$best") N m s^2/rad and k_s = $(number %.0f widths k_s layout=li1 b="$best") N m/rad, is $(gain li1 "$best") % more than L2 reaches. Beyond, the third psi region takes it away; at b = 200 nothing is left."
+  picture fig14 "Figure 14: an inerter beside the series spring, layout LI2" \
+    "Hopf curves for several k_s, b = 50 and 100; psi regions solid, delta regions dashed." \
+    "At b = 100 a delta region at small k_s shrinks and is gone as k_s grows (b1), and another one is born at large k_s (b2). Between the two the whole room between the psi regions is free, and it is wider than with L2."
+  picture fig15 "Figure 15: the best k_s of layout LI2" \
+    "(a) Zero-shimmy regions; vertical lines: the widest interval, where a delta region is born; (b) largest width over k_s." \
+    "More inertance moves the region to stiffer springs and widens it: $(number %.1f widths width layout=li2 b=140) N m s/rad at b = 140, $(gain li2 140) % more than L2, and still growing at b = 300."
+  cat <<TEXT
 ## Paper against computed
 
 \`paper\` is what its text says ("figure": shown there, not printed), \`converged\`
@@ -49,16 +107,16 @@ TEXT
   regions, respectively". Its Figure 10 and all that follows need the reverse: BP1
   is the top of the lower psi region, BP3 the bottom of the upper one.
 - **L2.** The width still grows beyond the k_s = 7.86e5 N m/rad of the paper, up to
-  the onset of the delta region at $(rounded "$(width 3 li2 0)" %.2f) N m/rad: $(rounded "$(width 6 li2 0)" %.1f)
+  the onset of the delta region at $(number %.2f widths k_s layout=li2 b=0) N m/rad: $(number %.1f widths width layout=li2 b=0)
   instead of 10218.6 N m s/rad. The gains below refer to this largest width.
 - **LI1, b = 20.** The paper finds it like L2, with the first qualitative change at
   b = 30. Here the delta region is born below BP1 from b = 17.64 on: at b = 20 the
   width goes on growing after the onset, until BP2_u reaches BP1
-  (k_s = $(rounded "$(width 3 li1 20)" %.0f) N m/rad).
+  (k_s = $(number %.0f widths k_s layout=li1 b=20) N m/rad).
 - **LI1, b = 21.5 to 47.8.** The paper says of b = 30 that the region is bounded by BP1
   and BP3 and largest just before BP2_u exceeds BP1. The interval between BP2_u and BP3
   goes on growing beyond that, until its width is stationary over k_s:
-  $(rounded "$(width 6 li1 30)" %.1f) N m s/rad at b = 30 and k_s = $(rounded "$(width 3 li1 30)" %.0f) N m/rad.
+  $(number %.1f widths width layout=li1 b=30) N m s/rad at b = 30 and k_s = $(number %.0f widths k_s layout=li1 b=30) N m/rad.
 - **LI1, which mechanism limits the width at which b.** In turn: the onset of the delta
   region; BP2_u reaching BP1; the stationary width above BP2_u; BP2_u reaching BP1
   again; the onset again, above BP1; the onset above the third psi region; BP2_u
@@ -67,25 +125,15 @@ TEXT
   reached BP3. At b = 200 there is no zero-shimmy interval at any k_s.
 - **LI1, third psi region.** The paper sees it for b = 70 to 150. It is there at b = 30
   too, with its top below c_d = 62 N m s/rad. Its top rises with b, and falls with k_s.
-- **LI1, the optimum.** Largest at b = $(rounded "$(best 2)" %.4f) N m s^2/rad and k_s = $(rounded "$(best 3)" %.1f) N m/rad,
-  where the third psi region takes over from BP1 as the lower bound: $(rounded "$(best 6)" %.2f)
-  N m s/rad, $(awk -v x="$(best 6)" -v y="$(width 6 li2 0)" 'BEGIN { printf "%.2f", 100 * (x / y - 1) }') % more than L2. The paper's b = 140 is the nearest multiple of 10, and its 9.8 % is
+- **LI1, the optimum.** Largest at b = $(number %.4f widths b layout=li1 b="$best") N m s^2/rad and k_s = $(number %.1f widths k_s layout=li1 b="$best") N m/rad,
+  where the third psi region takes over from BP1 as the lower bound: $(number %.2f widths width layout=li1 b="$best")
+  N m s/rad, $(gain li1 "$best") % more than L2. The paper's b = 140 is the nearest multiple of 10, and its 9.8 % is
   1.12/1.02.
 - **LI2.** "This growth trend ends with b = 140" is a choice of the paper, not a
-  property of the gear: the width grows on, to $(rounded "$(width 6 li2 200)" %.0f) N m s/rad at b = 200 and
-  $(rounded "$(width 6 li2 300)" %.0f) at b = 300, always limited by the onset of the delta region. At b = 140
-  it is $(rounded "$(width 6 li2 140)" %.1f), $(awk -v x="$(width 6 li2 140)" -v y="$(width 6 li2 0)" 'BEGIN { printf "%.2f", 100 * (x / y - 1) }') % more than L2 (the paper's 87.2 % is about 1.91/1.02).
-
-## Figures
-
+  property of the gear: the width grows on, to $(number %.0f widths width layout=li2 b=200) N m s/rad at b = 200 and
+  $(number %.0f widths width layout=li2 b=300) at b = 300, always limited by the onset of the delta region. At b = 140
+  it is $(number %.1f widths width layout=li2 b=140), $(gain li2 140) % more than L2 (the paper's 87.2 % is about 1.91/1.02).
 TEXT
-  picture 6 "One-parameter diagrams in V, layout L1. Blue solid: stable, red dashed: unstable; red dots: Hopf points, open circles: torus points; A and B: the solutions at V = 20 and 40 m/s."
-  picture 7 "The (V, c_d) plane, layout L1. Red: Hopf curves; purple: torus curves between the double Hopf points HH; blue: the zero-shimmy interval; grey: no shimmy. Hatched: straight rolling is unstable to psi, delta or both; which oscillation is stable there, the torus curves tell."
-  picture 9 "Hopf curves of layout L2 for several k_s; psi regions solid, delta regions dashed."
-  picture 10 "Layout L2: (a) the four boundary points, (b) their c_d over k_s and the zero-shimmy region, (c) its width."
-  picture 12 "Hopf curves of layout LI1 for several k_s and b; psi regions solid, delta regions dashed."
-  picture 13 "Layout LI1: (a) boundary points and zero-shimmy regions from k_s = 2.86e5 N m/rad on, (b) largest width over k_s."
-  picture 14 "Hopf curves of layout LI2 for several k_s, b = 50 and 100; psi regions solid, delta regions dashed."
-  picture 15 "Layout LI2: (a) zero-shimmy regions; vertical lines: the widest interval, where a delta region is born, (b) largest width over k_s."
 } > results/README.md.new
+if grep -o 'MISSING(.*)' results/README.md.new >&2; then fail "summary: these cells are not in the tables"; fi
 replace results/README.md
