@@ -37,6 +37,7 @@ FILENAME ~ /(fort\.9|\/d\.[^\/]*)$/ {
 $1 == "0" {
   line = substr($0, 5)
   if (line ~ /PT  TY  LAB/) {
+    sub(/ +$/, "")
     columns = int((length($0) - 19 + 18) / 19)
     for (k = 1; k <= columns; k++) column[k] = trim(substr($0, 20 + 19 * (k - 1), 19))
   } else if (line !~ /[{'\[]/)
