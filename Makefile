@@ -15,9 +15,10 @@ export MLG_BUILT = yes
 layouts := $(patsubst models/%.c,%,$(shell grep -l '^#include "plugin.h"' models/*.c))
 models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.exe) \
           $(layouts:%=build/bin/scan-%) $(layouts:%=build/bin/curves-%) build/bin/constants
+libraries := build/lib/libmlg.a build/lib/libmlg.so
 goals := $(or $(MAKECMDGOALS),figures)
 
-.PHONY: figures models collect test test-programs check-scripts setup clean distclean help always
+.PHONY: figures models libmlg collect test test-programs check-scripts setup clean distclean help always
 
 figures: ## every figure and the table of paper against computed values
 	@scripts/targets.sh
@@ -25,13 +26,15 @@ figures: ## every figure and the table of paper against computed values
 
 models: $(models) ## the layouts as AUTO executables, build/models/*.exe
 
+libmlg: $(libraries) ## the equations as a C library, build/lib (docs/libmlg.md)
+
 setup: build/auto.mk ## packages and AUTO only
 
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
 auto_given := $(AUTO_DIR)
-ifneq ($(filter-out help clean distclean,$(goals)),)
+ifneq ($(filter-out help clean distclean libmlg build/lib/%,$(goals)),)
 include build/auto.mk
 unexport AUTO_DIR
 endif
@@ -65,7 +68,27 @@ build/bin/constants: scripts/constants.c models/mlg.h Makefile
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $< -lm -o $@.part && mv $@.part $@
 
--include $(wildcard build/models/*.d build/bin/*.d build/tests/*.d)
+# --- libmlg: the right-hand sides as a C library, without AUTO ----------------
+library_cc = $(CC) $(CFLAGS) -fPIC -fvisibility=hidden -Imodels -Ibuild/lib -MMD -MP -c
+
+build/lib/layouts.h: always
+	@mkdir -p $(@D)
+	@printf 'L(%s)\n' $(layouts) | cmp -s - $@ || printf 'L(%s)\n' $(layouts) > $@
+
+build/lib/libmlg.o: models/libmlg.c build/lib/layouts.h Makefile
+	@$(library_cc) $< -o $@
+
+build/lib/%.o: models/libmlg_layout.c models/%.c Makefile
+	@mkdir -p $(@D)
+	@$(library_cc) -DLAYOUT='"$*.c"' -DNAME=$* $< -o $@
+
+build/lib/libmlg.a: build/lib/libmlg.o $(layouts:%=build/lib/%.o)
+	@rm -f $@ && $(AR) rcs $@.part $^ && mv $@.part $@
+
+build/lib/libmlg.so: build/lib/libmlg.o $(layouts:%=build/lib/%.o)
+	@$(CC) -shared $^ -lm -o $@.part && mv $@.part $@
+
+-include $(wildcard build/models/*.d build/lib/*.d build/bin/*.d build/tests/*.d)
 .SECONDARY:
 
 # --- figures: runs side by side, then tables, then the picture ---------------
@@ -126,7 +149,7 @@ to_test_layout = $(to_test) -D_DEFAULT_SOURCE -isystem $(AUTO_INCLUDE) -DLAYOUT=
 test: test-programs ## every test; tests/run.sh runs some of them
 	@tests/run.sh
 
-test-programs: $(models) $(tests) $(layout_tests) $(oracles)
+test-programs: $(models) $(libraries) $(tests) $(layout_tests) $(oracles)
 
 check-scripts: models ## shellcheck over every script and test
 	@tests/run.sh scripts
@@ -136,10 +159,10 @@ $(tests): build/tests/%: tests/test_%.c build/auto.mk Makefile
 	@echo "  $< -> $@"
 	@$(CC) $(TEST_CFLAGS) $(to_test) $< -o $@ -lcmocka -lm
 
-$(layout_tests): build/tests/layout-%: tests/test_layout.c models/%.c build/auto.mk Makefile
+$(layout_tests): build/tests/layout-%: tests/test_layout.c models/%.c build/lib/libmlg.a build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> $@"
-	@$(CC) $(TEST_CFLAGS) $(to_test_layout) $< -o $@ -lcmocka -llapacke -llapack -lm
+	@$(CC) $(TEST_CFLAGS) $(to_test_layout) $< -o $@ build/lib/libmlg.a -lcmocka -llapacke -llapack -lm
 
 $(oracles): build/bin/eigen-%: tests/eigen.c models/%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
@@ -147,7 +170,7 @@ $(oracles): build/bin/eigen-%: tests/eigen.c models/%.c build/auto.mk Makefile
 	@$(CC) $(CFLAGS) $(to_test_layout) $< -o $@ -llapacke -llapack -lm
 
 clean: ## the runs and the models; AUTO and its tarball stay
-	rm -rf build/runs build/tables build/models build/bin build/tests
+	rm -rf build/runs build/tables build/models build/lib build/bin build/tests
 
 distclean: ## everything that was built
 	rm -rf build

@@ -5,12 +5,12 @@
  *     psi              eps   +--[ c_d ]--+
  *
  *   T_d = k_psi (psi - eps) = k_d eps + c_d eps'                          (4)
- *
- * State   eps   twist across k_d and c_d, rad
  */
 #include "mlg.h"
 
-enum { EPS = GEAR_STATES, NDIM };
+#define DEVICE_STATES(X) X(EPS, "eps", "rad", "twist across k_d and c_d")
+
+enum { LAST_OF_GEAR = LAMBDA_R, DEVICE_STATES(MLG_NUMBERED) NDIM };
 
 /* Torque T_d, N m, that the device takes from the wheels, and du[EPS]. */
 static inline double device(const double par[], const double u[], double du[])

@@ -7,12 +7,13 @@
  *   T_d = k_psi_e (psi - eps) = k_d eps + c_d eps'                        (4)
  *   k_psi_e = 1 / (1/k_psi + 1/k_s)                                      (37)
  *
- * State   eps   twist across k_d and c_d, rad
  * A rigid k_s gives L1.
  */
 #include "mlg.h"
 
-enum { EPS = GEAR_STATES, NDIM };
+#define DEVICE_STATES(X) X(EPS, "eps", "rad", "twist across k_d and c_d")
+
+enum { LAST_OF_GEAR = LAMBDA_R, DEVICE_STATES(MLG_NUMBERED) NDIM };
 
 /* Torque T_d, N m, that the device takes from the wheels, and du[EPS]. */
 static inline double device(const double par[], const double u[], double du[])

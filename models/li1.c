@@ -9,13 +9,15 @@
  *   T_d = k_psi_e (psi - eps) = k_d eps + c_d eps' + b eps''
  *   k_psi_e = 1 / (1/k_psi + 1/k_s)                                      (37)
  *
- * States  eps    twist across k_d, c_d and b, rad
- *         deps   its rate, rad/s
  * b = 0 gives L2; deps, no longer a state of the device, then follows eps'.
  */
 #include "mlg.h"
 
-enum { EPS = GEAR_STATES, DEPS, NDIM };
+#define DEVICE_STATES(X)                                  \
+  X(EPS,  "eps",  "rad",   "twist across k_d, c_d and b") \
+  X(DEPS, "deps", "rad/s", "its rate")
+
+enum { LAST_OF_GEAR = LAMBDA_R, DEVICE_STATES(MLG_NUMBERED) NDIM };
 
 /* Torque T_d, N m, that the device takes from the wheels, du[EPS] and du[DEPS]. */
 static inline double device(const double par[], const double u[], double du[])

@@ -6,15 +6,17 @@
  *
  *   T_d = k_psi (psi - eps - chi) = k_d eps + c_d eps' = k_s chi + b chi''
  *
- * States  eps    twist across k_d and c_d, rad
- *         chi    twist across k_s and b, rad
- *         dchi   its rate, rad/s
  * b = 0 gives L2, a rigid k_s L1; chi then has no motion of its own, and the
  * two states follow the twist of k_s.
  */
 #include "mlg.h"
 
-enum { EPS = GEAR_STATES, CHI, DCHI, NDIM };
+#define DEVICE_STATES(X)                               \
+  X(EPS,  "eps",  "rad",   "twist across k_d and c_d") \
+  X(CHI,  "chi",  "rad",   "twist across k_s and b")   \
+  X(DCHI, "dchi", "rad/s", "its rate")
+
+enum { LAST_OF_GEAR = LAMBDA_R, DEVICE_STATES(MLG_NUMBERED) NDIM };
 
 /* Torque T_d, N m, that the device takes from the wheels, du[EPS] to du[DCHI]. */
 static inline double device(const double par[], const double u[], double du[])

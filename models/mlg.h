@@ -84,16 +84,23 @@ enum mlg_slot {
   PAR_PERIOD = 11 - 1 /* AUTO's */
 };
 
-/* States of the gear; a layout appends those of its device. */
-enum mlg_state {
-  DELTA,    /* bending angle of the strut, rad */
-  DDELTA,   /* its rate, rad/s */
-  PSI,      /* torsion angle of the wheel assembly, rad */
-  DPSI,     /* its rate, rad/s */
-  LAMBDA_L, /* lateral deflection of the left tyre at its leading point, m */
-  LAMBDA_R, /* right */
-  GEAR_STATES
-};
+/* States of the gear. */
+#define MLG_GEAR_STATES(X)                                                     \
+  /* id       name        unit     meaning */                                  \
+  X(DELTA,    "delta",    "rad",   "bending angle of the strut")               \
+  X(DDELTA,   "ddelta",   "rad/s", "its rate")                                 \
+  X(PSI,      "psi",      "rad",   "torsion angle of the wheel assembly")      \
+  X(DPSI,     "dpsi",     "rad/s", "its rate")                                 \
+  X(LAMBDA_L, "lambda_L", "m",     "lateral deflection of the left tyre at its leading point") \
+  X(LAMBDA_R, "lambda_R", "m",     "lateral deflection of the right tyre at its leading point")
+
+/* All states of a layout, which names those of its device in DEVICE_STATES. */
+#define MLG_STATES(X) MLG_GEAR_STATES(X) DEVICE_STATES(X)
+
+/* Numbers states in an enum: DELTA = 0, DDELTA, ... */
+#define MLG_NUMBERED(id, name, unit, meaning) id,
+
+enum mlg_state { MLG_GEAR_STATES(MLG_NUMBERED) GEAR_STATES };
 
 /* The verified parameters of the paper into par[36]; results and AUTO's slots
  * are left alone. */

@@ -5,11 +5,19 @@
  * purpose: its macros fabs, min and max must not reach the equations.
  *
  * -DMLG_BOUNDARY makes the algebraic problem of boundary.h instead;
- * -DMLG_NO_AUTO leaves all out, for programs that want the device alone.
+ * -DMLG_NO_AUTO leaves AUTO out, for programs that want the device or the
+ * right-hand side alone.
  */
-#if !defined MLG_PLUGIN_H && !defined MLG_NO_AUTO
+#ifndef MLG_PLUGIN_H
 #define MLG_PLUGIN_H
 
+/* f = u' for states u[NDIM] (AUTO calls them ndim of its own). */
+static inline void right_hand_side(const double par[], const double u[], double f[])
+{
+  mlg_gear(par, u, device(par, u, f), f);
+}
+
+#ifndef MLG_NO_AUTO
 #ifdef MLG_BOUNDARY
 #include "boundary.h"
 #else
@@ -42,12 +50,6 @@ static void refuse_unusable(const double par[])
               par[divisor[i].slot], divisor[i].right);
       exit(2);
     }
-}
-
-/* f = u' for states u[NDIM] (AUTO calls them ndim of its own). */
-static void right_hand_side(const double par[], const double u[], double f[])
-{
-  mlg_gear(par, u, device(par, u, f), f);
 }
 
 /* dfdu[j * NDIM + i] = d f_i / d u_j by differences of fourth order, exact to
@@ -191,5 +193,7 @@ int fopt(integer ndim, const doublereal *u, const integer *icp, const doublereal
   (void)ndim, (void)u, (void)icp, (void)par, (void)ijac, (void)f, (void)dfdu, (void)dfdp;
   return 0;
 }
+
+#endif /* MLG_NO_AUTO */
 
 #endif

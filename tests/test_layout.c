@@ -14,6 +14,7 @@
 
 #include "characteristic.h"
 #include "eigen.h"
+#include "libmlg.h"
 
 #undef abs
 #include <cmocka.h>
@@ -202,6 +203,77 @@ static void func_is_finite(void **state)
           fail_msg("f[%d] = %g with c_d = %g, V = %g, k_s = %g, b = %g, delta = %.17g, psi = %.17g", i, f[i],
                    par[PAR_C_D], par[PAR_V], par[PAR_K_S], par[PAR_B], u[DELTA], u[PSI]);
     }
+  }
+}
+
+/* libmlg under the layout's name is the same model, its states in the same order. */
+static void libmlg_is_func(void **state)
+{
+  static const char *const names[] = {
+#define X(id, name, unit, meaning) name,
+    MLG_STATES(X)
+#undef X
+  };
+  char name[] = LAYOUT;
+  double par[SLOTS], packed[LIBMLG_MOST_PARAMETERS], u[NDIM], f[NDIM], expected[NDIM];
+  int layout;
+
+  (void)state;
+  *strchr(name, '.') = '\0';
+  layout = libmlg_layout(name);
+  assert_int_equal(libmlg_states(layout), NDIM);
+  for (int i = 0; i < NDIM; i++)
+    assert_int_equal(libmlg_state(layout, names[i]), i);
+  for (int n = 0; n < SAMPLES; n++) {
+    random_parameters(par);
+    limiting(par, n % 16);
+    random_state_vector(u);
+    rates(par, u, expected);
+#define X(slot, id, name, unit, value, range, meaning) packed[libmlg_parameter(name)] = par[PAR_##id];
+    MLG_PARAMETERS(X)
+#undef X
+    assert_int_equal(libmlg_outside(packed), LIBMLG_NONE);
+    assert_int_equal(libmlg_rhs(layout, packed, u, f), 0);
+    for (int i = 0; i < NDIM; i++)
+      assert_near(f[i], expected[i], 1e-12 * fabs(expected[i]));
+  }
+}
+
+static void libmlg_knows_what_is_none(void **state)
+{
+  double par[LIBMLG_MOST_PARAMETERS], u[NDIM] = { 0. }, f[NDIM] = { 7. };
+
+  (void)state;
+  assert_int_equal(libmlg_layout("l9"), LIBMLG_NONE);
+  assert_int_equal(libmlg_state(0, "eps9"), LIBMLG_NONE);
+  assert_int_equal(libmlg_parameter("c_q"), LIBMLG_NONE);
+  for (int i = -1; i <= libmlg_layouts(); i += libmlg_layouts() + 1) {
+    assert_null(libmlg_layout_name(i));
+    assert_null(libmlg_state_quantity(i, 0));
+    assert_int_equal(libmlg_states(i), LIBMLG_NONE);
+    assert_int_equal(libmlg_state(i, "psi"), LIBMLG_NONE);
+    assert_int_equal(libmlg_rhs(i, par, u, f), LIBMLG_NONE);
+  }
+  assert_near(f[0], 7., 0.);
+  assert_null(libmlg_state_quantity(0, libmlg_states(0)));
+  for (int i = -1; i <= libmlg_parameters(); i += libmlg_parameters() + 1) {
+    assert_null(libmlg_parameter_quantity(i));
+    assert_int_equal(libmlg_range(i), 0);
+    assert_true(isnan(libmlg_default(i)));
+  }
+  for (int i = 0; i < libmlg_parameters(); i++) {
+    const char range = libmlg_range(i);
+
+    libmlg_defaults(par);
+    assert_int_equal(libmlg_outside(par), LIBMLG_NONE);
+    par[i] = 0.;
+    assert_int_equal(libmlg_outside(par), range == '+' ? i : LIBMLG_NONE);
+    par[i] = -1.;
+    assert_int_equal(libmlg_outside(par), range == '*' ? LIBMLG_NONE : i);
+    par[i] = NAN;
+    assert_int_equal(libmlg_outside(par), i);
+    par[i] = INFINITY;
+    assert_int_equal(libmlg_outside(par), i == libmlg_parameter("k_s") ? LIBMLG_NONE : i);
   }
 }
 
@@ -713,6 +785,8 @@ int main(void)
     cmocka_unit_test_setup(zero_is_an_equilibrium_at_every_speed, seed),
     cmocka_unit_test_setup(mirror_symmetry, seed),
     cmocka_unit_test_setup(func_is_finite, seed),
+    cmocka_unit_test_setup(libmlg_is_func, seed),
+    cmocka_unit_test_setup(libmlg_knows_what_is_none, seed),
     cmocka_unit_test_setup(linearisation_is_the_closed_form, seed),
     cmocka_unit_test_setup(device_is_linear, seed),
     cmocka_unit_test_setup(device_has_the_stiffness_of_its_layout, seed),

@@ -1,0 +1,147 @@
+/* libmlg.c - the library of libmlg.h over all layouts
+ *
+ * The layouts come from libmlg_layout.c; the Makefile names them in layouts.h,
+ * L(l1) L(l2) ...
+ */
+#include <math.h>
+#include <string.h>
+
+#pragma GCC visibility push(default)
+#include "libmlg.h"
+#pragma GCC visibility pop
+#include "libmlg_layout.h"
+#include "mlg.h"
+
+#define L(name) extern const struct libmlg_layout libmlg_layout_##name;
+#include "layouts.h"
+#undef L
+
+static const struct libmlg_layout *const layouts[] = {
+#define L(name) &libmlg_layout_##name,
+#include "layouts.h"
+#undef L
+};
+
+static const struct {
+  struct libmlg_quantity quantity;
+  int index; /* in AUTO's par[] */
+  char range;
+  double value;
+} parameters[] = {
+#define X(slot, id, name, unit, value, range, meaning) { { name, unit, meaning }, PAR_##id, range, value },
+  MLG_PARAMETERS(X)
+#undef X
+};
+
+enum { LAYOUT_COUNT = sizeof layouts / sizeof *layouts, PARAMETERS = sizeof parameters / sizeof *parameters };
+
+_Static_assert((int)PARAMETERS <= (int)LIBMLG_MOST_PARAMETERS, "libmlg.h promises enough");
+
+static const struct libmlg_layout *find(int layout)
+{
+  return layout >= 0 && layout < LAYOUT_COUNT ? layouts[layout] : NULL;
+}
+
+int libmlg_layouts(void)
+{
+  return LAYOUT_COUNT;
+}
+
+int libmlg_layout(const char *name)
+{
+  for (int i = 0; i < LAYOUT_COUNT; i++)
+    if (strcmp(layouts[i]->name, name) == 0)
+      return i;
+  return LIBMLG_NONE;
+}
+
+const char *libmlg_layout_name(int layout)
+{
+  const struct libmlg_layout *l = find(layout);
+
+  return l ? l->name : NULL;
+}
+
+int libmlg_states(int layout)
+{
+  const struct libmlg_layout *l = find(layout);
+
+  return l ? l->states : LIBMLG_NONE;
+}
+
+int libmlg_state(int layout, const char *name)
+{
+  for (int i = 0; i < libmlg_states(layout); i++)
+    if (strcmp(layouts[layout]->state[i].name, name) == 0)
+      return i;
+  return LIBMLG_NONE;
+}
+
+const struct libmlg_quantity *libmlg_state_quantity(int layout, int state)
+{
+  return state >= 0 && state < libmlg_states(layout) ? &layouts[layout]->state[state] : NULL;
+}
+
+int libmlg_parameters(void)
+{
+  return PARAMETERS;
+}
+
+int libmlg_parameter(const char *name)
+{
+  for (int i = 0; i < PARAMETERS; i++)
+    if (strcmp(parameters[i].quantity.name, name) == 0)
+      return i;
+  return LIBMLG_NONE;
+}
+
+static int is_parameter(int i)
+{
+  return i >= 0 && i < PARAMETERS;
+}
+
+const struct libmlg_quantity *libmlg_parameter_quantity(int i)
+{
+  return is_parameter(i) ? &parameters[i].quantity : NULL;
+}
+
+double libmlg_default(int i)
+{
+  return is_parameter(i) ? parameters[i].value : NAN;
+}
+
+char libmlg_range(int i)
+{
+  return is_parameter(i) ? parameters[i].range : '\0';
+}
+
+void libmlg_defaults(double par[])
+{
+  for (int i = 0; i < PARAMETERS; i++)
+    par[i] = parameters[i].value;
+}
+
+int libmlg_outside(const double par[])
+{
+  for (int i = 0; i < PARAMETERS; i++) {
+    const char range = parameters[i].range;
+    const int rigid = parameters[i].index == PAR_K_S && par[i] > 0.;
+
+    if (!rigid && !(isfinite(par[i]) && (range == '*' || par[i] > 0. || (range == '0' && par[i] >= 0.))))
+      return i;
+  }
+  return LIBMLG_NONE;
+}
+
+int libmlg_rhs(int layout, const double par[], const double u[], double f[])
+{
+  const struct libmlg_layout *l = find(layout);
+  double slots[36];
+
+  if (!l)
+    return LIBMLG_NONE;
+  for (int i = 0; i < PARAMETERS; i++)
+    slots[parameters[i].index] = par[i];
+  l->rhs(slots, u, f);
+  return 0;
+}

@@ -1,0 +1,22 @@
+/* libmlg_layout.c - one layout for libmlg
+ *
+ * Compiled once per layout around its device, -DLAYOUT='"l1.c"' -DNAME=l1.
+ */
+#define MLG_NO_AUTO
+#include LAYOUT
+#include "libmlg_layout.h"
+
+#define TEXT_OF(name) #name
+#define TEXT(name) TEXT_OF(name)
+#define ENTRY_OF(name) libmlg_layout_##name
+#define ENTRY(name) ENTRY_OF(name)
+
+static const struct libmlg_quantity state[NDIM] = {
+#define X(id, name, unit, meaning) { name, unit, meaning },
+  MLG_STATES(X)
+#undef X
+};
+
+_Static_assert((int)NDIM <= (int)LIBMLG_MOST_STATES, "libmlg.h promises enough");
+
+const struct libmlg_layout ENTRY(NAME) = { TEXT(NAME), NDIM, state, right_hand_side };
