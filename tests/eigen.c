@@ -6,6 +6,7 @@
 #include LAYOUT
 
 #include "eigen.h"
+#include "criticality.h"
 
 /* plugin.h asks AUTO for these; func() does not. */
 doublereal getp(const char *code, integer ic, const doublereal *u)
@@ -33,6 +34,9 @@ static const char usage[] =
   "                                   a closed one appears\n"
   "  interval [V_lo=0.1 V_hi=200 step=0.05 c_d_lo=100 c_d_hi=1e5 c_d_steps=300]\n"
   "                                   intervals of c_d without shimmy at any V\n"
+  "  folds                            as fold, for each line V,c_d,k_s,b of standard input\n"
+  "  criticality                      at each such Hopf point: does shimmy begin beside the\n"
+  "                                   stable gear (a > 0) or not (tests/criticality.h)\n"
   "  map [V_lo=0.5 V_hi=200 V_n=400 c_d_lo=250 c_d_hi=1e5 c_d_n=400]\n"
   "                                   number of unstable pairs on a grid, as CSV\n"
   "Other names are those of the parameters (models/mlg.h), in SI units.\n";
@@ -277,6 +281,71 @@ static int print_map(int n, char **argument)
   return 0;
 }
 
+/* A guess V,c_d,k_s,b from standard input, into par; false at its end. */
+static bool read_point(double par[])
+{
+  static int line = 0;
+  char text[256], *at = text;
+  static const int slot[] = { PAR_V, PAR_C_D, PAR_K_S, PAR_B };
+
+  line++;
+  if (fgets(text, sizeof text, stdin) == NULL)
+    return false;
+  for (size_t i = 0; i < sizeof slot / sizeof *slot; i++) {
+    char *end;
+
+    par[slot[i]] = strtod(at, &end);
+    if (end == at || *end != (i + 1 < sizeof slot / sizeof *slot ? ',' : '\n')) {
+      fprintf(stderr, "standard input:%d: '%.*s': expected V,c_d,k_s,b\n", line, (int)strcspn(text, "\n"), text);
+      exit(2);
+    }
+    at = end + 1;
+  }
+  return true;
+}
+
+static int print_folds(int n, char **argument)
+{
+  struct option option[] = { { NULL, 0., false } };
+  static const int slot[2] = { PAR_V, PAR_C_D };
+  double par[EIGEN_SLOTS] = { 0. };
+  bool given[EIGEN_SLOTS] = { false };
+
+  mlg_defaults(par);
+  read_arguments(n, argument, par, given, option, NULL);
+  printf("V,c_d\n");
+  while (read_point(par)) {
+    const bool found = eigen_refine(EIGEN_FOLD, par, slot) >= 0.;
+
+    printf(found ? "%.13g,%.13g\n" : ",\n", par[PAR_V], par[PAR_C_D]);
+  }
+  return 0;
+}
+
+static int print_criticality(int n, char **argument)
+{
+  struct option option[] = { { NULL, 0., false } };
+  double par[EIGEN_SLOTS] = { 0. };
+  bool given[EIGEN_SLOTS] = { false };
+
+  mlg_defaults(par);
+  read_arguments(n, argument, par, given, option, NULL);
+  printf("V,c_d,frequency_hz,delta_over_psi,a,growth_in_c_d\n");
+  while (read_point(par)) {
+    double _Complex target[2] = { 0. };
+
+    if (eigen_critical(par, target) == 0) {
+      fprintf(stderr, "V = %g, c_d = %g: no oscillation there\n", par[PAR_V], par[PAR_C_D]);
+      return 1;
+    }
+    const struct eigen_mode mode = eigen_mode(par, target[0]);
+
+    printf("%.10g,%.10g,%.8g,%.6g,%.10g,%.10g\n", par[PAR_V], par[PAR_C_D], mode.frequency_hz,
+           mode.delta_over_psi, criticality(par, target[0]), creal(eigen_slope(par, &mode, PAR_C_D)));
+  }
+  return 0;
+}
+
 int main(int argc, char **argv)
 {
   const char *command = argc > 1 ? argv[1] : "";
@@ -296,6 +365,10 @@ int main(int argc, char **argv)
     status = print_point(EIGEN_CENTRE, n, argument);
   else if (strcmp(command, "interval") == 0)
     status = print_intervals(n, argument);
+  else if (strcmp(command, "folds") == 0)
+    status = print_folds(n, argument);
+  else if (strcmp(command, "criticality") == 0)
+    status = print_criticality(n, argument);
   else if (strcmp(command, "map") == 0)
     status = print_map(n, argument);
   else {
