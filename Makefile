@@ -8,6 +8,7 @@
 CFLAGS = -O2 -std=c11 -Wall -Wextra -Wpedantic -Werror
 TEST_CFLAGS = -O1 -g -std=c11 -Wall -Wextra -Wpedantic -Werror -fsanitize=address,undefined \
               -fno-sanitize-recover=all
+sundials = -lsundials_cvode -lsundials_nvecserial
 SHELL = /bin/bash
 export MLG_BUILT = yes
 
@@ -53,11 +54,11 @@ build/models/%.boundary.o: models/%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -fcx-limited-range -DMLG_BOUNDARY -MMD -MP -isystem $(AUTO_INCLUDE) -c $< -o $@
 
-# two programs that need no AUTO, around the same device
+# programs that need no AUTO, around the same device
 define tool_rule
 build/bin/$(1)-%: scripts/$(1).c models/%.c Makefile
 	@mkdir -p $$(@D)
-	@$$(CC) $$(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$$*.c"' -MMD -MP $$< -lm -o $$@.part && mv $$@.part $$@
+	@$$(CC) $$(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$$*.c"' -MMD -MP $$< $(2) -lm -o $$@.part && mv $$@.part $$@
 endef
 $(foreach tool,scan curves,$(eval $(call tool_rule,$(tool))))
 
@@ -143,7 +144,7 @@ fig15: ## Figure 15: zero-shimmy regions and largest width, layout LI2
 tests := $(filter-out build/tests/layout,$(patsubst tests/test_%.c,build/tests/%,$(wildcard tests/test_*.c)))
 layout_tests := $(layouts:%=build/tests/layout-%)
 oracles := $(layouts:%=build/bin/eigen-%)
-to_test = -Imodels -MMD -MP
+to_test = -Imodels -Iscripts -MMD -MP
 to_test_layout = $(to_test) -D_DEFAULT_SOURCE -isystem $(AUTO_INCLUDE) -DLAYOUT='"$*.c"'
 
 test: test-programs ## every test; tests/run.sh runs some of them
@@ -157,7 +158,9 @@ check-scripts: models ## shellcheck over every script and test
 $(tests): build/tests/%: tests/test_%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> $@"
-	@$(CC) $(TEST_CFLAGS) $(to_test) $< -o $@ -lcmocka -lm
+	@$(CC) $(TEST_CFLAGS) $(to_test) $< -o $@ -lcmocka $(libraries) -lm
+
+build/tests/integrate: libraries = $(sundials)
 
 $(layout_tests): build/tests/layout-%: tests/test_layout.c models/%.c build/lib/libmlg.a build/auto.mk Makefile
 	@mkdir -p $(@D)

@@ -23,6 +23,7 @@ figures    command   make         make             builds and runs everything
 figures    terminal  pdfcairo     gnuplot-nox      draws the figures
 test       header    cmocka.h     libcmocka-dev    the tests in C
 test       header    lapacke.h    liblapacke-dev   eigenvalues to compare with
+test       header    cvode/cvode.h libsundials-dev  time integration
 test       command   bats         bats             the tests in shell
 test       command   shellcheck   shellcheck       the test of the scripts themselves
 test       command   python3      python3          the Python interface of AUTO
