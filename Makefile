@@ -158,9 +158,9 @@ check-scripts: models ## shellcheck over every script and test
 $(tests): build/tests/%: tests/test_%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> $@"
-	@$(CC) $(TEST_CFLAGS) $(to_test) $< -o $@ -lcmocka $(libraries) -lm
+	@$(CC) $(TEST_CFLAGS) $(to_test) $< -o $@ -lcmocka $(with) -lm
 
-build/tests/integrate: libraries = $(sundials)
+build/tests/integrate: with = $(sundials)
 
 $(layout_tests): build/tests/layout-%: tests/test_layout.c models/%.c build/lib/libmlg.a build/auto.mk Makefile
 	@mkdir -p $(@D)

@@ -58,20 +58,20 @@ struct integrator {
   void *cvode;
 };
 
-/* The size of an oscillation: the largest of its angles (rad) and deflections
- * (m), rates being taken at 100 rad/s.  A state of a device counts as a rate
- * here and as an angle in its own tolerance, which errs on the exact side. */
-static inline double integrator_size(int state)
-{
-  return state == DDELTA || state == DPSI ? 100. : 1.;
-}
+/* What a state counts in: 1 rad, 1 m, 100 rad/s. */
+static const double state_size[] = {
+#define X(id, name, unit, meaning) sizeof unit == sizeof "rad/s" ? 100. : 1.,
+  MLG_STATES(X)
+#undef X
+};
 
+/* The size of an oscillation: its largest state, so counted. */
 static inline double oscillation_size(const double u[])
 {
   double size = 1e-12; /* below that a gear is at rest */
 
   for (int i = 0; i < NDIM; i++)
-    size = fmax(size, fabs(u[i]) / (i < GEAR_STATES ? integrator_size(i) : 100.));
+    size = fmax(size, fabs(u[i]) / state_size[i]);
   return size;
 }
 
@@ -83,7 +83,7 @@ static int integrator_rates(realtype t, N_Vector u, N_Vector du, void *data)
   double *f = N_VGetArrayPointer(du);
 
   (void)t;
-  mlg_gear(run->par, x, device(run->par, x, f), f);
+  right_hand_side(run->par, x, f);
   run->refused = fabs(x[DELTA]) > MLG_PI / 2. || fabs(x[PSI]) > MLG_PI / 2.;
   for (int i = 0; i < NDIM; i++)
     run->refused |= !isfinite(f[i]);
@@ -100,7 +100,7 @@ static int integrator_weights(N_Vector u, N_Vector weights, void *data)
   double *w = N_VGetArrayPointer(weights);
 
   for (int i = 0; i < NDIM; i++)
-    w[i] = 1. / (run->rtol * size * integrator_size(i));
+    w[i] = 1. / (run->rtol * size * state_size[i]);
   return 0;
 }
 

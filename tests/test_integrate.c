@@ -155,7 +155,7 @@ static void mirrored_starts_mirror(void **state)
   (void)state;
   for (int sample = 0; sample < 20; sample++) {
     for (int i = 0; i < NDIM; i++)
-      u[0][i] = uniform(-0.1, 0.1) * integrator_size(i);
+      u[0][i] = uniform(-0.1, 0.1) * state_size[i];
     for (int i = 0; i < NDIM; i++)
       u[1][i] = -u[0][mirror(i)];
     for (int k = 0; k < 2; k++) {
@@ -169,7 +169,7 @@ static void mirrored_starts_mirror(void **state)
     }
     assert_int_equal(run.limits, limits);
     for (int i = 0; i < NDIM; i++)
-      assert_near(run.u[mirror(i)], -first[i], 1e-9 * integrator_size(i));
+      assert_near(run.u[mirror(i)], -first[i], 1e-9 * state_size[i]);
   }
   assert_true(all > 20);
 }
@@ -186,7 +186,7 @@ static void weights_follow_the_size(void **state)
   start(1e-5);
   assert_int_equal(integrator_advance(&run, 1.), AT_TIME);
   for (int i = 0; i < NDIM; i++)
-    assert_near(run.u[i] * 0.1, small[i], 1e-6 * integrator_size(i) * oscillation_size(small));
+    assert_near(run.u[i] * 0.1, small[i], 1e-6 * state_size[i] * oscillation_size(small));
 }
 
 /* The error falls with the tolerance. */
@@ -202,7 +202,7 @@ static void tolerance_is_kept(void **state)
   assert_int_equal(integrator_advance(&exact, 2.), AT_TIME);
   assert_int_equal(integrator_advance(&run, 2.), AT_TIME);
   for (int i = 0; i < NDIM; i++)
-    assert_near(run.u[i], exact.u[i], 1e-8 * integrator_size(i) * oscillation_size(exact.u));
+    assert_near(run.u[i], exact.u[i], 1e-8 * state_size[i] * oscillation_size(exact.u));
   integrator_end(&exact);
 }
 
