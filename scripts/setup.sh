@@ -28,6 +28,7 @@ test       command   bats         bats             the tests in shell
 test       command   shellcheck   shellcheck       the test of the scripts themselves
 test       command   python3      python3          the Python interface of AUTO
 test       module    numpy        python3-numpy    the same, with arrays
+test       module    sympy        python3-sympy    the equations derived again
 test       command   git          git              is the tree clean after a run?
 '
 

@@ -1,0 +1,308 @@
+#!/usr/bin/python3
+"""derive.py - the gear's equations of motion from energies, forces and contact
+
+    /usr/bin/python3 models/derive.py > models/jacobian.h
+
+Derives what models/mlg.h states, in the order of the paper and by its equation
+numbers: Lagrange's equation (1) with the kinetic energy (2), the strut's spring
+and the dampers (3), (5), and the tyre forces at the contact points (13)-(21),
+(34)-(36); the stretched string (31).  docs/model.md lists where that departs from
+print.  Prints models/jacobian.h, its derivatives as C; run it again after a
+change of models/mlg.h, and make the same change here.
+tests/derivation.py compares the equations themselves with the C code.
+
+Needs sympy (Debian: python3-sympy).  Reads models/mlg.h for the parameters' names.
+"""
+import re
+import sys
+import textwrap
+from pathlib import Path
+
+import sympy
+from sympy import Matrix, Rational, asin, atan, cos, diff, pi, sin
+from sympy.printing.c import C11CodePrinter
+from sympy.printing.precedence import PRECEDENCE
+
+MLG = Path(__file__).with_name('mlg.h').read_text()
+# names of the parameters: 'c_d' is PAR_C_D in C
+PARAMETERS = {name: f'PAR_{id}' for id, name in
+              re.findall(r'X\(\s*\d+,\s*(\w+),\s*"(\w+)",\s*"[^"]*",[^"]*,', MLG)}
+par = {name: sympy.Symbol(name, real=True) for name in PARAMETERS}
+
+
+def symbols(names):
+    return sympy.symbols(names, real=True)
+
+
+# ---- motion ------------------------------------------------------------------
+
+delta, psi, ddelta, dpsi, dddelta, ddpsi = symbols('delta psi ddelta dpsi dddelta ddpsi')
+dzB, ddzB = symbols('dzB ddzB')     # of B, upwards
+side, lam, T_d = symbols('side lambda T_d')
+coordinates = {delta: ddelta, psi: dpsi}
+
+s, c = sin(par['phi']), cos(par['phi'])
+
+
+def rate(f):
+    """df/dt"""
+    flow = {**coordinates, ddelta: dddelta, dpsi: ddpsi, dzB: ddzB}
+    return sum(diff(f, x) * dx for x, dx in flow.items())
+
+
+RAKE = Matrix([[c, 0, s], [0, 1, 0], [-s, 0, c]])
+BENDING = Matrix([[1, 0, 0], [0, cos(delta), -sin(delta)], [0, sin(delta), cos(delta)]])
+TORSION = Matrix([[cos(psi), -sin(psi), 0], [sin(psi), cos(psi), 0], [0, 0, 1]])
+
+
+def in_space(r):
+    """H r, (6), not multiplied out; H = RAKE BENDING TORSION"""
+    return RAKE * (BENDING * (TORSION * Matrix(r)))
+
+
+r_D = in_space([0, 0, par['l_D']])
+v_D = r_D.applyfunc(rate) - Matrix([0, 0, dzB])                               # (9)
+bending, torsion = Matrix([ddelta, 0, 0]), Matrix([0, 0, dpsi])
+w = RAKE * (bending + BENDING * torsion)                                      # (10)
+
+
+def kinetic_energy():
+    """(2), (11), (12): the energies of bending and of torsion, each by itself"""
+    J = sympy.diag(par['J_xi'], par['J_eta'], par['J_zeta'])
+    turning = [TORSION.T * bending, torsion]                                  # in body axes
+    return (par['m_D'] * v_D.dot(v_D) + sum(v.dot(J * v) for v in turning)) / 2
+
+
+def body():
+    """(1) for delta and psi without the wheels: = 0 with them"""
+    T, weight = kinetic_energy(), par['m_D'] * par['g']
+    spring = {delta: par['k_delta'] * delta, psi: T_d}
+    damping = {delta: par['c_delta'], psi: par['c_psi']}
+    return [rate(diff(T, dq)) - diff(T, q) + spring[q] + damping[q] * dq - weight * diff(r_D[2], q)
+            for q, dq in coordinates.items()]
+
+
+# ---- one wheel ---------------------------------------------------------------
+
+# Computed one after another, as WHEEL says, and by name in the equations: the
+# contact point's place in the gear is held where its motion is derived.
+mu, R_i, X, Y, Z = symbols('mu R_i X Y Z')
+theta, alpha, T, grip, Lambda, C = symbols('theta alpha T grip Lambda C')
+ddzB_i, F_z = symbols('ddzB_i F_z')
+contact = in_space([X, Y, Z])                                                 # (18), (20)
+WHEEL = {
+    mu: asin(s * sin(psi) + c * sin(delta) * cos(psi)),                       # (16)
+    R_i: par['R'] - Rational(2, 10) * side * par['a'] * mu / 2,               # (19)
+    X: -(par['e'] + R_i * s), Y: side * par['a'] / 2, Z: par['l_delta'] + R_i * c,
+    theta: psi * c * cos(delta),                                              # (14)
+    alpha: atan(lam / par['l']), T: atan(7 * lam / par['l']),
+    Lambda: par['k_lambda'] * T * cos(Rational(95, 100) * T),                 # (25)
+    grip: sympy.Piecewise((1, abs(alpha) <= par['alpha_m']), (0, True)),
+    C: grip * par['k_alpha'] * par['alpha_m'] / pi * sin(pi * alpha / par['alpha_m']),  # (26)
+    ddzB_i: rate(rate(contact[2])),                                           # (23), (24)
+    F_z: (side * par['a'] * mu * par['k_t'] + par['m_D'] * (ddzB_i - rate(rate(r_D[2])))
+          + (par['m_D'] + par['M']) * par['g']) / 2,                          # (34)-(36)
+}
+
+
+def wheel():
+    """What a wheel adds to body(): its forces by their virtual work (13)-(17), (21)"""
+    force = Matrix([-Lambda * sin(theta), Lambda * cos(theta), -1])           # per F_z
+    return [-F_z * (force.dot(contact.diff(q)) - C * diff(w[2], dq)) for q, dq in coordinates.items()]
+
+
+def stretched_string():
+    """lambda' (31)"""
+    v_X, v_Y = par['V'] + rate(contact[0]), rate(contact[1])
+    slope = lam / par['l']
+    return (v_X * (sin(theta) - slope * cos(theta)) - v_Y * (cos(theta) + slope * sin(theta))
+            - (par['h'] - lam * slope) * rate(WHEEL[theta]))
+
+
+# ---- C -----------------------------------------------------------------------
+
+HEAD = """\
+/* jacobian.h - derivatives of the gear's equations; made by derive.py, do not edit
+ *
+ *     /usr/bin/python3 models/derive.py > models/jacobian.h
+ *
+ * Needed after a change of the equations in mlg.h.  plugin.h stops a run whose
+ * derivatives do not belong to its right-hand side.
+ *
+ * With the accelerations known, the equations of motion are E = 0: those of delta
+ * and psi, N m, linear in delta'', psi'' and T_d (which stands in that of psi only);
+ * and one for the rate of each tyre's deflection, m/s.
+ */
+#ifndef MLG_JACOBIAN_H
+#define MLG_JACOBIAN_H
+
+#include <stddef.h>
+#include <string.h>
+
+enum mlg_equation {{ E_DELTA, E_PSI, E_LAMBDA_L, E_LAMBDA_R, MLG_EQUATIONS }};
+
+/* The parameters that the gear depends on. */
+enum {{ MLG_GEAR_PARAMETERS = {count} }};
+static const int mlg_gear_parameter[MLG_GEAR_PARAMETERS] = {{
+{slots}
+}};
+
+/* E by the accelerations, the states, and the parameters listed. */
+struct mlg_slopes {{
+  double dddelta[MLG_EQUATIONS], ddpsi[MLG_EQUATIONS];
+  double state[GEAR_STATES][MLG_EQUATIONS];
+  double parameter[PAR_M + 1][MLG_EQUATIONS];
+}};
+"""
+
+FUNCTION = """
+/* {comment} */
+static inline void {name}(const double par[], const double u[], const double du[],
+    const struct mlg_pose *p, {argument}int parameters, struct mlg_slopes *E)
+{{
+{body}
+}}
+"""
+
+TAIL = """
+/* All slopes at the states u with their rates du; those by parameters if asked for. */
+static inline void mlg_slopes(const double par[], const double u[], const double du[],
+                              int parameters, struct mlg_slopes *E)
+{
+  const struct mlg_pose p = mlg_pose(par, u);
+
+  memset(E, 0, parameters ? sizeof *E : offsetof(struct mlg_slopes, parameter));
+  mlg_slopes_body(par, u, du, &p, parameters, E);
+  for (int wheel = 0; wheel < 2; wheel++)
+    mlg_slopes_wheel(par, u, du, &p, wheel, parameters, E);
+}
+
+#endif"""
+
+STATES = {delta: 'DELTA', ddelta: 'DDELTA', psi: 'PSI', dpsi: 'DPSI'}
+LOCAL = {**{x: f'u[{slot}]' for x, slot in STATES.items()},
+         dddelta: 'du[DDELTA]', ddpsi: 'du[DPSI]', lam: 'u[LAMBDA_L + wheel]',
+         **{par[name]: f'par[{slot}]' for name, slot in PARAMETERS.items()},
+         side: '2. * wheel - 1.'}
+# what struct mlg_pose has
+POSE = {f: symbols(name) for f, name in {
+    s: 's', c: 'c', sin(delta): 'sin_delta', cos(delta): 'cos_delta', sin(psi): 'sin_psi',
+    cos(psi): 'cos_psi', sin(theta): 'sin_theta', cos(theta): 'cos_theta'}.items()}
+LOCAL.update({x: f'p->{x}' for x in [*POSE.values(), mu]})
+
+
+class Printer(C11CodePrinter):
+    """Small powers as products"""
+
+    def _print_Pow(self, expr):
+        base, exponent = expr.args
+        if exponent.is_Integer and 2 <= abs(exponent) <= 4:
+            factor = self.parenthesize(base, PRECEDENCE['Mul'] + 1)
+            product = '*'.join([factor] * abs(exponent))
+            return product if exponent > 0 else f'1.0/({product})'
+        if exponent == Rational(-1, 2):
+            return f'1.0/sqrt({self._print(base)})'
+        return super()._print_Pow(expr)
+
+    def _print_Pi(self, expr):
+        return 'MLG_PI'
+
+
+PRINTER = Printer({'math_macros': {}})
+
+
+def c_assignment(indent, left, value):
+    return textwrap.fill(f'{left} {PRINTER.doprint(value)};', 100, initial_indent=indent,
+                         subsequent_indent=indent + '    ', break_long_words=False,
+                         break_on_hyphens=False)
+
+
+def c_function(name, comment, rows, steps, argument=''):
+    """C that adds d(row)/d(input) of each of rows {slot: expression} to E. The
+    inputs are states, accelerations and the gear's parameters. Of the steps {symbol:
+    expression} to the rows the slopes are carried through."""
+    inputs = [*STATES, lam, dddelta, ddpsi, *GEAR]
+    known, slope = [], {}
+    for x in steps:
+        for y in inputs:
+            value = diff(steps[x], y) + sum(diff(steps[x], z) * slope.get((z, y), 0) for z in steps)
+            if value != 0:
+                slope[x, y] = symbols(f'{x}_{y}')
+                known.append((slope[x, y], value))
+    targets = []
+    for y in inputs:
+        for slot, row in rows.items():
+            value = diff(row, y) + sum(diff(row, x) * slope.get((x, y), 0) for x in steps)
+            if value != 0:
+                targets.append((f'E->{place(y)}[{slot}] +=', y in GEAR, value))
+
+    given = {x: value for x, value in [*steps.items(), *known] if x not in LOCAL}
+    named = list(given)
+    found, reduced = sympy.cse([value.xreplace(POSE) for value in
+                                [*given.values(), *(value for *_, value in targets)]],
+                               symbols=sympy.numbered_symbols('t', real=True), optimizations='basic')
+    definition = {**dict(found), **dict(zip(named, reduced))}
+    out = [(left, late, value) for (left, late, _), value in zip(targets, reduced[len(named):])]
+
+    lines, done = [], set()
+
+    def define(value):
+        for x in sorted(value.free_symbols, key=str):
+            if x in done:
+                continue
+            done.add(x)
+            if x in definition:
+                define(definition[x])
+                lines.append(c_assignment('  ', f'const double {x} =', definition[x]))
+            else:
+                lines.append(f'  const double {x} = {LOCAL[x]};')
+
+    for late in False, True:
+        if late:
+            lines.append('\n  if (!parameters)\n    return;')
+        for _, is_late, value in out:
+            if is_late == late:
+                define(value)
+        lines += [c_assignment('  ', left, value) for left, is_late, value in out if is_late == late]
+    return FUNCTION.format(name=name, comment=comment, argument=argument, body='\n'.join(lines))
+
+
+def place(x):
+    """where in struct mlg_slopes the slopes by x are"""
+    if x in (dddelta, ddpsi):
+        return str(x)
+    if x in GEAR:
+        return f'parameter[{PARAMETERS[str(x)]}]'
+    return 'state[LAMBDA_L + wheel]' if x == lam else f'state[{STATES[x]}]'
+
+
+def tidy(expression):
+    """sums of squares of sine and cosine out"""
+    ones = {sin(x)**2: 1 - cos(x)**2 for x in (par['phi'], delta, psi)}
+    return sympy.expand(sympy.expand(expression).subs(ones))
+
+
+def header():
+    global GEAR
+    strut = [tidy(row) for row in body()]
+    # zB'' is the mean of the two wheels'
+    share = [row + diff(whole, ddzB) * ddzB_i / 2 for row, whole in zip(wheel(), strut)]
+    dlambda = stretched_string()
+    strut = [whole.subs(ddzB, 0) for whole in strut]
+    free = set().union(*(x.free_symbols for x in [*strut, *share, dlambda, *WHEEL.values()]))
+    GEAR = [x for x in par.values() if x in free]
+    slots = textwrap.fill(', '.join(PARAMETERS[str(x)] for x in GEAR), 100,
+                          initial_indent='  ', subsequent_indent='  ')
+    print(HEAD.format(count=len(GEAR), slots=slots)
+          + c_function('mlg_slopes_body', 'The strut and the bending part, without ground contact.',
+                       {'E_DELTA': strut[0], 'E_PSI': strut[1]}, {})
+          + c_function('mlg_slopes_wheel', 'One wheel, 0 left, 1 right.',
+                       {'E_DELTA': share[0], 'E_PSI': share[1], 'E_LAMBDA_L + wheel': dlambda}, WHEEL,
+                       'int wheel, ')
+          + TAIL)
+
+
+if __name__ == '__main__':
+    if len(sys.argv) > 1:
+        sys.exit('usage: /usr/bin/python3 models/derive.py > models/jacobian.h')
+    header()

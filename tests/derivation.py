@@ -1,0 +1,179 @@
+#!/usr/bin/python3
+"""derivation.py - the right-hand sides in C against a symbolic derivation
+
+    tests/derivation.py [short]
+
+The gear is that of models/derive.py: Lagrange's equation from energies, forces and
+contact. The devices are written here, as the laws of their springs, dampers and
+inerters. At random states and parameters the rates that the C code gives are put
+into these equations; what remains is compared with the sum of their terms' sizes.
+
+Prints what,unit,ours,oracle,tolerance, one row for each group of equations of each
+layout in the library: ours is the largest remainder of 2000 samples, with the word
+short of 200; oracle is 0.
+
+Needs   sympy, numpy; build/lib/libmlg.so (make libmlg)
+Exit    0 all rows printed, 1 no library, 2 wrong use. A layout whose device is not
+        among DEVICES is named on standard error and gets no rows.
+"""
+import ctypes
+import sys
+from pathlib import Path
+
+import numpy
+import sympy
+
+sys.dont_write_bytecode = True
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / 'models'))
+import derive  # noqa: E402
+from derive import T_d, par, psi  # noqa: E402
+
+TOLERANCE = 1e-11
+
+# ---- devices -------------------------------------------------------------------
+# Two lists for each: springs and twists in series, from which T_d follows, and the
+# laws of what has states. tau and sigma are the twists of k_psi and k_s, rate(x) is x'.
+
+k_psi, k_s, k_d, c_d, b = (par[name] for name in ('k_psi', 'k_s', 'k_d', 'c_d', 'b'))
+tau, sigma, eps, deps, chi, dchi = derive.symbols('tau sigma eps deps chi dchi')
+
+
+def rate(state):
+    return derive.symbols(f'{state}_rate')
+
+
+DEVICES = {
+    'l1': ([T_d - k_psi * tau, psi - tau - eps],
+           [T_d - k_d * eps - c_d * rate(eps)]),
+    'l2': ([T_d - k_psi * tau, T_d - k_s * sigma, psi - tau - sigma - eps],
+           [T_d - k_d * eps - c_d * rate(eps)]),
+    'li1': ([T_d - k_psi * tau, T_d - k_s * sigma, psi - tau - sigma - eps],
+            [T_d - k_d * eps - c_d * deps - b * rate(deps), rate(eps) - deps]),
+    'li2': ([T_d - k_psi * tau, psi - tau - eps - chi],
+            [T_d - k_d * eps - c_d * rate(eps), T_d - k_s * chi - b * rate(dchi), rate(chi) - dchi]),
+}
+
+
+# ---- the C code ------------------------------------------------------------------
+
+class Quantity(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_char_p) for name in ('name', 'unit', 'meaning')]
+
+
+def library():
+    try:
+        lib = ctypes.CDLL(str(ROOT / 'build/lib/libmlg.so'))
+    except OSError as error:
+        sys.exit(f'derivation.py: {error}; make libmlg builds it')
+    lib.libmlg_layout_name.restype = ctypes.c_char_p
+    lib.libmlg_default.restype = ctypes.c_double
+    for quantity in lib.libmlg_state_quantity, lib.libmlg_parameter_quantity:
+        quantity.restype = ctypes.POINTER(Quantity)
+    return lib
+
+
+def names(quantity, count, *layout):
+    return [quantity(*layout, i)[0].name.decode() for i in range(count)]
+
+
+def rates(lib, layout, parameters, states):
+    """f of each sample, a column each"""
+    vector = numpy.ctypeslib.ndpointer(dtype=float, flags='C')
+    lib.libmlg_rhs.argtypes = [ctypes.c_int, vector, vector, vector]
+    f = numpy.empty_like(states.T, order='C')
+    for p, u, df in zip(parameters.T.copy(), states.T.copy(), f):
+        lib.libmlg_rhs(layout, p, u, df)
+    return f.T
+
+
+# ---- random states and parameters ------------------------------------------------
+
+# rad, rad/s, m: large angles, tyres on both sides of alpha_m
+STATE_SIZE = {'delta': 0.5, 'ddelta': 5, 'psi': 1, 'dpsi': 10, 'lambda_L': 0.08, 'lambda_R': 0.08}
+DEVICE_SIZE = 0.5  # of the device's states
+PARAMETER_DECADES = {'c_d': (1, 6), 'k_s': (4, 7), 'b': (0, 3)}
+PARAMETER_RANGE = {'V': (0, 200), 'phi': (-0.3, 0.3)}
+
+
+def random_parameter(random, name, default, samples):
+    if name in PARAMETER_DECADES:
+        return 10 ** random.uniform(*PARAMETER_DECADES[name], samples)
+    return random.uniform(*PARAMETER_RANGE.get(name, (0.7 * default, 1.3 * default)), samples)
+
+
+# ---- remainders --------------------------------------------------------------------
+
+def value(expression, at):
+    arguments = sorted(expression.free_symbols, key=str)
+    return sympy.lambdify(arguments, expression)(*(at[str(x)] for x in arguments))
+
+
+def size(expression, at):
+    return sum(abs(value(term, at)) for term in sympy.Add.make_args(expression))
+
+
+def remainder(parts):
+    """Largest |sum| over the sum of the terms' sizes, of [(expression, values)]"""
+    total = sum(value(expression, at) for expression, at in parts)
+    return numpy.max(abs(total) / sum(size(expression, at) for expression, at in parts))
+
+
+def wheels(at):
+    """The values at each wheel: those of derive.WHEEL added"""
+    for side, tyre in (-1, 'lambda_L'), (1, 'lambda_R'):
+        here = {**at, 'side': side, 'lambda': at[tyre], 'lambda_rate': at[f'{tyre}_rate']}
+        for x, expression in derive.WHEEL.items():
+            here[str(x)] = value(expression, here)
+        yield here
+
+
+def remainders(device, at):
+    """{group of equations: largest remainder}"""
+    in_series, laws = device
+    unknown = {T_d, tau, sigma} & set().union(*(law.free_symbols for law in in_series))
+    torque = sympy.solve(in_series, unknown, dict=True)[0][T_d]
+    at = {**at, 'T_d': value(torque, at), 'dddelta': at['ddelta_rate'], 'ddpsi': at['dpsi_rate']}
+    wheel = list(wheels(at))
+    for mean, of_wheel in ('dzB', derive.rate(derive.contact[2])), ('ddzB', derive.ddzB_i):
+        at[mean] = sum(value(of_wheel, here) for here in wheel) / 2
+    motion = {q: [(strut, at), *((share, here) for here in wheel)]
+              for q, strut, share in zip(derive.coordinates, derive.body(), derive.wheel())}
+    tyre = rate(derive.lam) - derive.stretched_string()
+    return {
+        'motion of delta (32)': remainder(motion[derive.delta]),
+        'motion of psi (33)': remainder(motion[psi]),
+        'tyres (31)': max(remainder([(tyre, here)]) for here in wheel),
+        'device': max(remainder([(law, at)]) for law in laws),
+        'rates of the angles': max(remainder([(rate(q) - dq, at)])
+                                   for q, dq in derive.coordinates.items()),
+    }
+
+
+def main(words):
+    if words not in ([], ['short']):
+        print('usage: tests/derivation.py [short]', file=sys.stderr)
+        return 2
+    lib = library()
+    samples = 200 if words else 2000
+    random = numpy.random.default_rng(20170408)
+    parameter_names = names(lib.libmlg_parameter_quantity, lib.libmlg_parameters())
+    for layout in range(lib.libmlg_layouts()):
+        name = lib.libmlg_layout_name(layout).decode()
+        if name not in DEVICES:
+            print(f'derivation.py: left out {name}, whose device is not in DEVICES', file=sys.stderr)
+            continue
+        state_names = names(lib.libmlg_state_quantity, lib.libmlg_states(layout), layout)
+        p = numpy.array([random_parameter(random, x, lib.libmlg_default(i), samples)
+                         for i, x in enumerate(parameter_names)])
+        u = numpy.array([STATE_SIZE.get(x, DEVICE_SIZE) * random.uniform(-1, 1, samples)
+                         for x in state_names])
+        at = {**dict(zip(parameter_names, p)), **dict(zip(state_names, u)),
+              **{f'{x}_rate': f for x, f in zip(state_names, rates(lib, layout, p, u))}}
+        for group, largest in remainders(DEVICES[name], at).items():
+            print(f'{name}: {group},of its terms,{largest:.1e},0,{TOLERANCE:g}')
+    return 0
+
+
+if __name__ == '__main__':
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# derivation.sh - the right-hand sides in C against their symbolic derivation
+#
+#   tests/verify/derivation.sh [short]
+#
+# Prints rows what,unit,ours,oracle,tolerance; short takes a tenth of the samples.
+# tests/derivation.py says what they mean and what is needed.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+[ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent libmlg
+exec /usr/bin/python3 tests/derivation.py "$@"
