@@ -44,50 +44,55 @@ build/auto.mk: always
 	@scripts/setup.sh $(if $(filter test% check-scripts,$(goals)),test,figures)
 	@AUTO_DIR='$(auto_given)' scripts/build-auto.sh
 
+# What a command makes has a name of its own until it is whole: neither a second
+# make in this tree nor an interrupted one leaves half a file behind.
+whole = $(1) -o $@.$$$$ && mv $@.$$$$ $@
+compiled = $(call whole,$(1) -MMD -MP -MT $@ -MF $(basename $@).d)
+
 build/models/%.o: models/%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> build/models/$*.exe"
-	@$(CC) $(CFLAGS) -MMD -MP -isystem $(AUTO_INCLUDE) -c $< -o $@
+	@$(call compiled,$(CC) $(CFLAGS) -isystem $(AUTO_INCLUDE) -c $<)
 
 # the algebraic problem of boundary.h around the same device
 build/models/%.boundary.o: models/%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
-	@$(CC) $(CFLAGS) -fcx-limited-range -DMLG_BOUNDARY -MMD -MP -isystem $(AUTO_INCLUDE) -c $< -o $@
+	@$(call compiled,$(CC) $(CFLAGS) -fcx-limited-range -DMLG_BOUNDARY -isystem $(AUTO_INCLUDE) -c $<)
 
 # programs that need no AUTO, around the same device
 define tool_rule
 build/bin/$(1)-%: scripts/$(1).c models/%.c Makefile
 	@mkdir -p $$(@D)
-	@$$(CC) $$(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$$*.c"' -MMD -MP $$< $(2) -lm -o $$@.part && mv $$@.part $$@
+	@$$(call compiled,$$(CC) $$(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$$*.c"' $$< $(2) -lm)
 endef
 $(foreach tool,scan curves,$(eval $(call tool_rule,$(tool))))
 
 build/models/%.exe: build/models/%.o
-	@$(AUTO_FC) $< $(AUTO_LINK) -o $@.part && mv $@.part $@
+	@$(call whole,$(AUTO_FC) $< $(AUTO_LINK))
 
-build/bin/constants: scripts/constants.c models/mlg.h Makefile
+build/bin/constants: scripts/constants.c Makefile
 	@mkdir -p $(@D)
-	@$(CC) $(CFLAGS) $< -lm -o $@.part && mv $@.part $@
+	@$(call compiled,$(CC) $(CFLAGS) $< -lm)
 
 # --- libmlg: the right-hand sides as a C library, without AUTO ----------------
-library_cc = $(CC) $(CFLAGS) -fPIC -fvisibility=hidden -Imodels -Ibuild/lib -MMD -MP -c
+library_cc = $(CC) $(CFLAGS) -fPIC -fvisibility=hidden -Imodels -Ibuild/lib -c
 
 build/lib/layouts.h: always
 	@mkdir -p $(@D)
-	@printf 'L(%s)\n' $(layouts) | cmp -s - $@ || printf 'L(%s)\n' $(layouts) > $@
+	@printf 'L(%s)\n' $(layouts) > $@.$$$$ && if cmp -s $@.$$$$ $@; then rm $@.$$$$; else mv $@.$$$$ $@; fi
 
 build/lib/libmlg.o: models/libmlg.c build/lib/layouts.h Makefile
-	@$(library_cc) $< -o $@
+	@$(call compiled,$(library_cc) $<)
 
 build/lib/%.o: models/libmlg_layout.c models/%.c Makefile
 	@mkdir -p $(@D)
-	@$(library_cc) -DLAYOUT='"$*.c"' -DNAME=$* $< -o $@
+	@$(call compiled,$(library_cc) -DLAYOUT='"$*.c"' -DNAME=$* $<)
 
 build/lib/libmlg.a: build/lib/libmlg.o $(layouts:%=build/lib/%.o)
-	@rm -f $@ && $(AR) rcs $@.part $^ && mv $@.part $@
+	@$(AR) rcs $@.$$$$ $^ && mv $@.$$$$ $@
 
 build/lib/libmlg.so: build/lib/libmlg.o $(layouts:%=build/lib/%.o)
-	@$(CC) -shared $^ -lm -o $@.part && mv $@.part $@
+	@$(call whole,$(CC) -shared $^ -lm)
 
 -include $(wildcard build/models/*.d build/lib/*.d build/bin/*.d build/tests/*.d)
 .SECONDARY:
@@ -144,7 +149,7 @@ fig15: ## Figure 15: zero-shimmy regions and largest width, layout LI2
 tests := $(filter-out build/tests/layout,$(patsubst tests/test_%.c,build/tests/%,$(wildcard tests/test_*.c)))
 layout_tests := $(layouts:%=build/tests/layout-%)
 oracles := $(layouts:%=build/bin/eigen-%)
-to_test = -Imodels -Iscripts -MMD -MP
+to_test = -Imodels -Iscripts
 to_test_layout = $(to_test) -D_DEFAULT_SOURCE -isystem $(AUTO_INCLUDE) -DLAYOUT='"$*.c"'
 
 test: test-programs ## every test; tests/run.sh runs some of them
@@ -158,19 +163,19 @@ check-scripts: models ## shellcheck over every script and test
 $(tests): build/tests/%: tests/test_%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> $@"
-	@$(CC) $(TEST_CFLAGS) $(to_test) $< -o $@ -lcmocka $(with) -lm
+	@$(call compiled,$(CC) $(TEST_CFLAGS) $(to_test) $< -lcmocka $(with) -lm)
 
 build/tests/integrate: with = $(sundials)
 
 $(layout_tests): build/tests/layout-%: tests/test_layout.c models/%.c build/lib/libmlg.a build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> $@"
-	@$(CC) $(TEST_CFLAGS) $(to_test_layout) $< -o $@ build/lib/libmlg.a -lcmocka -llapacke -llapack -lm
+	@$(call compiled,$(CC) $(TEST_CFLAGS) $(to_test_layout) $< build/lib/libmlg.a -lcmocka -llapacke -llapack -lm)
 
 $(oracles): build/bin/eigen-%: tests/eigen.c models/%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> $@"
-	@$(CC) $(CFLAGS) $(to_test_layout) $< -o $@ -llapacke -llapack -lm
+	@$(call compiled,$(CC) $(CFLAGS) $(to_test_layout) $< -llapacke -llapack -lm)
 
 clean: ## the runs and the models; AUTO and its tarball stay
 	rm -rf build/runs build/tables build/models build/lib build/bin build/tests

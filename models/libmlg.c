@@ -25,10 +25,9 @@ static const struct libmlg_layout *const layouts[] = {
 static const struct {
   struct libmlg_quantity quantity;
   int index; /* in AUTO's par[] */
-  char range;
-  double value;
+  double value, least, most;
 } parameters[] = {
-#define X(slot, id, name, unit, value, range, meaning) { { name, unit, meaning }, PAR_##id, range, value },
+#define X(slot, id, name, unit, value, least, most, meaning) { { name, unit, meaning }, PAR_##id, value, least, most },
   MLG_PARAMETERS(X)
 #undef X
 };
@@ -110,9 +109,14 @@ double libmlg_default(int i)
   return is_parameter(i) ? parameters[i].value : NAN;
 }
 
-char libmlg_range(int i)
+double libmlg_least(int i)
 {
-  return is_parameter(i) ? parameters[i].range : '\0';
+  return is_parameter(i) ? parameters[i].least : NAN;
+}
+
+double libmlg_most(int i)
+{
+  return is_parameter(i) ? parameters[i].most : NAN;
 }
 
 void libmlg_defaults(double par[])
@@ -123,13 +127,9 @@ void libmlg_defaults(double par[])
 
 int libmlg_outside(const double par[])
 {
-  for (int i = 0; i < PARAMETERS; i++) {
-    const char range = parameters[i].range;
-    const int rigid = parameters[i].index == PAR_K_S && par[i] > 0.;
-
-    if (!rigid && !(isfinite(par[i]) && (range == '*' || par[i] > 0. || (range == '0' && par[i] >= 0.))))
+  for (int i = 0; i < PARAMETERS; i++)
+    if (!(par[i] >= parameters[i].least && par[i] <= parameters[i].most))
       return i;
-  }
   return LIBMLG_NONE;
 }
 

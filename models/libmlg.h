@@ -53,9 +53,10 @@ const struct libmlg_quantity *libmlg_parameter_quantity(int parameter); /* or NU
  * k_s rigid, b = 0.  NaN: no such parameter. */
 double libmlg_default(int parameter);
 
-/* What the value has to be: '+' above 0, '0' not below 0, '*' any finite number;
- * k_s may also be 1e30 or infinite, which is rigid.  0: no such parameter. */
-char libmlg_range(int parameter);
+/* The least and the largest value it may have; a k_s of 1e30 or infinity is rigid.
+ * NaN: no such parameter. */
+double libmlg_least(int parameter);
+double libmlg_most(int parameter);
 
 /* Defaults into par[libmlg_parameters()]. */
 void libmlg_defaults(double par[]);

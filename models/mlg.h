@@ -23,6 +23,7 @@
 #define MLG_H
 
 #include <math.h>
+#include <string.h>
 
 #include "network.h"
 
@@ -31,36 +32,37 @@
  * constants file.  The value is the default; those of the gear are Table 1
  * with the two values its rounding hides (phi, M; docs/model.md), and
  * constants/gear.printed holds the two as printed.
- *   range: '+' positive, '0' positive or zero, '*' any finite number */
+ *   least, most: the physical range, wide enough for any gear; a value outside
+ *   it is a slip, and near 1e300 AUTO would compute without end. */
 #define MLG_PARAMETERS(X)                                                      \
-  /* slot id       name       unit         value   range meaning */            \
-  X( 1, V,       "V",       "m/s",            1.0, '0', "forward speed")       \
-  X( 2, C_D,     "c_d",     "N m s/rad",    3.6e4, '0', "device damping")      \
-  X( 3, K_S,     "k_s",     "N m/rad",  MLG_RIGID, '+', "device series stiffness") \
-  X( 4, B,       "b",       "N m s^2/rad",    0.0, '0', "device inertance")    \
-  X( 5, K_D,     "k_d",     "N m/rad",     1.09e5, '+', "device stiffness")    \
-  X( 6, K_PSI,   "k_psi",   "N m/rad",      3.8e5, '+', "torsional stiffness of the torque links") \
-  X( 7, C_PSI,   "c_psi",   "N m s/rad",    300.0, '0', "torsional damping of the wheel assembly") \
-  X( 8, K_DELTA, "k_delta", "N m/rad",      6.1e6, '+', "lateral stiffness of the strut") \
-  X( 9, C_DELTA, "c_delta", "N m s/rad",    300.0, '0', "lateral damping of the strut") \
-  X(15, A,       "a",       "m",              0.5, '+', "track width")         \
-  X(16, E,       "e",       "m",             0.12, '*', "caster length")       \
-  X(17, L_DELTA, "l_delta", "m",             0.75, '+', "radius of lateral bending, B to C") \
-  X(18, L_D,     "l_D",     "m",             0.72, '+', "distance from B to the centre of gravity D") \
-  X(19, M_D,     "m_D",     "kg",           500.0, '+', "mass of the bending part") \
-  X(20, J_XI,    "J_xi",    "kg m^2",       200.0, '+', "moment of inertia at D, axis xi") \
-  X(21, J_ETA,   "J_eta",   "kg m^2",       250.0, '+', "moment of inertia at D, axis eta") \
-  X(22, J_ZETA,  "J_zeta",  "kg m^2",       100.0, '+', "moment of inertia at D, axis zeta") \
-  X(23, PHI,     "phi",     "rad",   MLG_PI / 60., '*', "rake angle, 3 degrees") \
-  X(24, H,       "h",       "m",              0.1, '+', "half of the contact patch length") \
-  X(25, K_T,     "k_t",     "N/m",          7.0e5, '+', "tyre vertical stiffness") \
-  X(26, K_ALPHA, "k_alpha", "m",              1.0, '0', "tyre self-aligning coefficient") \
-  X(27, K_LAMBDA,"k_lambda","1/rad",        0.002, '0', "tyre restoring coefficient") \
-  X(28, L,       "l",       "m",              0.3, '+', "relaxation length")   \
-  X(29, R,       "R",       "m",            0.362, '+', "tyre unloaded radius") \
-  X(30, ALPHA_M, "alpha_m", "rad",         0.1745, '+', "maximum slip angle")  \
-  X(31, G,       "g",       "m/s^2",         9.81, '+', "gravitational constant") \
-  X(32, M,       "M",       "kg", 200e3/9.81-500., '0', "mass above B: (M + m_D) g = 200 kN")
+  /* slot id       name       unit           value  least  most       meaning */ \
+  X( 1, V,       "V",       "m/s",            1.0,    0., 1e3,       "forward speed")       \
+  X( 2, C_D,     "c_d",     "N m s/rad",    3.6e4,    0., 1e9,       "device damping")      \
+  X( 3, K_S,     "k_s",     "N m/rad",  MLG_RIGID,    1., INFINITY,  "device series stiffness") \
+  X( 4, B,       "b",       "N m s^2/rad",    0.0,    0., 1e9,       "device inertance")    \
+  X( 5, K_D,     "k_d",     "N m/rad",     1.09e5,    1., 1e12,      "device stiffness")    \
+  X( 6, K_PSI,   "k_psi",   "N m/rad",      3.8e5,    1., 1e12,      "torsional stiffness of the torque links") \
+  X( 7, C_PSI,   "c_psi",   "N m s/rad",    300.0,    0., 1e9,       "torsional damping of the wheel assembly") \
+  X( 8, K_DELTA, "k_delta", "N m/rad",      6.1e6,    1., 1e12,      "lateral stiffness of the strut") \
+  X( 9, C_DELTA, "c_delta", "N m s/rad",    300.0,    0., 1e9,       "lateral damping of the strut") \
+  X(15, A,       "a",       "m",              0.5,  1e-3, 100.,      "track width")         \
+  X(16, E,       "e",       "m",             0.12, -100., 100.,      "caster length")       \
+  X(17, L_DELTA, "l_delta", "m",             0.75,  1e-3, 100.,      "radius of lateral bending, B to C") \
+  X(18, L_D,     "l_D",     "m",             0.72,  1e-3, 100.,      "distance from B to the centre of gravity D") \
+  X(19, M_D,     "m_D",     "kg",           500.0,  1e-3, 1e6,       "mass of the bending part") \
+  X(20, J_XI,    "J_xi",    "kg m^2",       200.0,  1e-6, 1e9,       "moment of inertia at D, axis xi") \
+  X(21, J_ETA,   "J_eta",   "kg m^2",       250.0,  1e-6, 1e9,       "moment of inertia at D, axis eta") \
+  X(22, J_ZETA,  "J_zeta",  "kg m^2",       100.0,  1e-6, 1e9,       "moment of inertia at D, axis zeta") \
+  X(23, PHI,     "phi",     "rad",   MLG_PI / 60.,  -1.5, 1.5,       "rake angle, 3 degrees") \
+  X(24, H,       "h",       "m",              0.1,  1e-3, 100.,      "half of the contact patch length") \
+  X(25, K_T,     "k_t",     "N/m",          7.0e5,    1., 1e12,      "tyre vertical stiffness") \
+  X(26, K_ALPHA, "k_alpha", "m",              1.0,    0., 1e3,       "tyre self-aligning coefficient") \
+  X(27, K_LAMBDA,"k_lambda","1/rad",        0.002,    0., 1e3,       "tyre restoring coefficient") \
+  X(28, L,       "l",       "m",              0.3,  1e-3, 100.,      "relaxation length")   \
+  X(29, R,       "R",       "m",            0.362,  1e-3, 100.,      "tyre unloaded radius") \
+  X(30, ALPHA_M, "alpha_m", "rad",         0.1745,  1e-3, 1.5,       "maximum slip angle")  \
+  X(31, G,       "g",       "m/s^2",         9.81,  1e-3, 1e3,       "gravitational constant") \
+  X(32, M,       "M",       "kg", 200e3/9.81-500.,    0., 1e6,       "mass above B: (M + m_D) g = 200 kN")
 
 /* Results that pvls computes at every point; list them in ICP to see them. */
 #define MLG_RESULTS(X)                                                         \
@@ -75,7 +77,7 @@
 
 /* PAR_V, PAR_C_D, ...: indices into par[], C's counting of AUTO's slots. */
 enum mlg_slot {
-#define X(slot, id, name, unit, value, range, meaning) PAR_##id = (slot) - 1,
+#define X(slot, id, name, unit, value, least, most, meaning) PAR_##id = (slot) - 1,
   MLG_PARAMETERS(X)
 #undef X
 #define X(slot, id, name, unit, meaning) PAR_##id = (slot) - 1,
@@ -83,6 +85,32 @@ enum mlg_slot {
 #undef X
   PAR_PERIOD = 11 - 1 /* AUTO's */
 };
+
+/* A row of the table above; slot counts from 0, as in par[]. */
+struct mlg_parameter { int slot; const char *name, *unit; double least, most; };
+
+static const struct mlg_parameter mlg_parameters[] = {
+#define X(slot, id, name, unit, value, least, most, meaning) { PAR_##id, name, unit, least, most },
+  MLG_PARAMETERS(X)
+#undef X
+};
+
+enum { MLG_PARAMETER_COUNT = sizeof mlg_parameters / sizeof *mlg_parameters };
+
+/* The parameter whose name is the first length characters of name, or NULL. */
+static inline const struct mlg_parameter *mlg_find(const char *name, size_t length)
+{
+  for (int i = 0; i < MLG_PARAMETER_COUNT; i++)
+    if (strlen(mlg_parameters[i].name) == length && memcmp(mlg_parameters[i].name, name, length) == 0)
+      return &mlg_parameters[i];
+  return NULL;
+}
+
+/* Not-a-number is outside every range. */
+static inline int mlg_in_range(const struct mlg_parameter *p, double value)
+{
+  return value >= p->least && value <= p->most;
+}
 
 /* States of the gear. */
 #define MLG_GEAR_STATES(X)                                                     \
@@ -106,7 +134,7 @@ enum mlg_state { MLG_GEAR_STATES(MLG_NUMBERED) GEAR_STATES };
  * are left alone. */
 static inline void mlg_defaults(double par[])
 {
-#define X(slot, id, name, unit, value, range, meaning) par[PAR_##id] = (value);
+#define X(slot, id, name, unit, value, least, most, meaning) par[PAR_##id] = (value);
   MLG_PARAMETERS(X)
 #undef X
 }

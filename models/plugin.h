@@ -37,19 +37,16 @@ extern void dggev_(const char *jobvl, const char *jobvr, const integer *n, doubl
  * silently detach the device or turn everything into NaN. */
 static void refuse_unusable(const double par[])
 {
-  static const struct { int slot; const char *name, *right; } divisor[] = {
-    { PAR_K_S, "k_s", "a stiffness above 0 (0 would detach the device; 1e30 is rigid)" },
-    { PAR_K_PSI, "k_psi", "a stiffness above 0 (0 would detach the device; 1e30 is rigid)" },
-    { PAR_L, "l", "a relaxation length above 0 m" },
-    { PAR_ALPHA_M, "alpha_m", "a slip angle above 0 rad" },
-  };
+  static const int divisor[] = { PAR_K_S, PAR_K_PSI, PAR_L, PAR_ALPHA_M };
 
   for (size_t i = 0; i < sizeof divisor / sizeof *divisor; i++)
-    if (!(par[divisor[i].slot] > 0.)) {
-      fprintf(stderr, "PAR(%d) %s = %g: not %s\n", divisor[i].slot + 1, divisor[i].name,
-              par[divisor[i].slot], divisor[i].right);
-      exit(2);
-    }
+    if (!(par[divisor[i]] > 0.))
+      for (int k = 0; k < MLG_PARAMETER_COUNT; k++)
+        if (mlg_parameters[k].slot == divisor[i]) {
+          fprintf(stderr, "PAR(%d) %s = %g %s must be above 0\n", divisor[i] + 1, mlg_parameters[k].name,
+                  par[divisor[i]], mlg_parameters[k].unit);
+          exit(2);
+        }
 }
 
 /* dfdu[j * NDIM + i] = d f_i / d u_j by differences of fourth order, exact to

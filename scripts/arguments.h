@@ -1,43 +1,72 @@
-/* arguments.h - NAME=VALUE on the command line of scan and curves */
+/* arguments.h - numbers and NAME=VALUE on the command line of our programs
+ *
+ * A slip ends the program: one line "PROGRAM: 'WORD': what would be right" on
+ * standard error, status 2; an output that cannot be written with status 1.
+ */
 #ifndef MLG_ARGUMENTS_H
 #define MLG_ARGUMENTS_H
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Sets the parameter that text names, of models/mlg.h or compliance (1e5/k_s; 0
- * is rigid).  A slip ends the program: one line, status 2. */
-static void set_parameter(const char *program, double par[], const char *text)
+/* Whether text is a finite decimal number and nothing else. */
+static inline int is_number(const char *text, double *value)
 {
-  static const struct { const char *name; int slot; char range; } names[] = {
-#define X(slot, id, name, unit, value, range, meaning) { name, PAR_##id, range },
-    MLG_PARAMETERS(X)
-#undef X
-    { "compliance", -1, '0' },
-  };
-  const char *equals = strchr(text, '=');
-  const size_t length = equals ? (size_t)(equals - text) : 0;
   char *end;
-  const double value = equals ? strtod(equals + 1, &end) : 0.;
 
-  if (!equals || end == equals + 1 || *end || !isfinite(value)) {
-    fprintf(stderr, "%s: '%s': expected NAME=NUMBER\n", program, text);
-    exit(2);
-  }
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-    if (strlen(names[i].name) == length && memcmp(names[i].name, text, length) == 0) {
-      if (names[i].range != '*' && !(value > 0. || (names[i].range == '0' && value >= 0.))) {
-        fprintf(stderr, "%s: '%s': it must %s\n", program, text,
-                names[i].slot == PAR_K_S ? "be above 0 (1e30 is rigid)"
-                : names[i].range == '+' ? "be above 0" : "not be below 0");
-        exit(2);
-      }
-      par[names[i].slot < 0 ? PAR_K_S : names[i].slot] = names[i].slot < 0 ? 1e5 / value : value;
-      return;
-    }
-  fprintf(stderr, "%s: '%s': no such parameter (see models/mlg.h)\n", program, text);
+  *value = strtod(text, &end);
+  return end != text && *end == '\0' && isfinite(*value) && !strpbrk(text, "xXpPnN");
+}
+
+static inline _Noreturn void refuse(const char *program, const char *word, const char *right)
+{
+  fprintf(stderr, "%s: '%s': %s\n", program, word, right);
   exit(2);
+}
+
+/* The number behind the = of word; *length is that of the name before it. */
+static inline double number_of(const char *program, const char *word, size_t *length)
+{
+  const char *equals = strchr(word, '=');
+  double value;
+
+  if (!equals || !is_number(equals + 1, &value))
+    refuse(program, word, "expected NAME=NUMBER");
+  *length = (size_t)(equals - word);
+  return value;
+}
+
+/* Sets the parameter that word names, of models/mlg.h or compliance (1e5/k_s; 0
+ * is rigid), and returns its slot. */
+static inline int set_parameter(const char *program, double par[], const char *word)
+{
+  static const struct mlg_parameter compliance = { PAR_K_S, "compliance", "1e-5 rad/(N m)", 0., 1e5 };
+  size_t length;
+  const double value = number_of(program, word, &length);
+  const struct mlg_parameter *p = mlg_find(word, length);
+  char right[80];
+
+  if (length == strlen(compliance.name) && memcmp(word, compliance.name, length) == 0)
+    p = &compliance;
+  if (!p)
+    refuse(program, word, "no such parameter (see models/mlg.h)");
+  if (!mlg_in_range(p, value)) {
+    snprintf(right, sizeof right, "outside its range, %g to %g %s", p->least, p->most, p->unit);
+    refuse(program, word, right);
+  }
+  par[p->slot] = p == &compliance ? 1e5 / value : value;
+  return p->slot;
+}
+
+/* The status to end with: 1 when not all of the output could be written. */
+static inline int output_status(const char *program)
+{
+  if (fflush(stdout) == 0 && !ferror(stdout))
+    return 0;
+  fprintf(stderr, "%s: cannot write the output: %s\n", program, strerror(errno));
+  return 1;
 }
 
 #endif

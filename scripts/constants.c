@@ -19,6 +19,7 @@
 #include <string.h>
 
 #include "../models/mlg.h"
+#include "arguments.h"
 
 enum { MAX_FILE = 1 << 16, MAX_ENTRIES = 128, MAX_ITEMS = 256, STATUS_BAD_INPUT = 2 };
 
@@ -29,14 +30,6 @@ struct constants { const char *file; struct entry entry[MAX_ENTRIES]; int n; };
 /* One element of a list (key "") or of a dictionary, quotes removed. */
 struct item { char key[64], value[256]; };
 struct items { struct item item[MAX_ITEMS]; int n; };
-
-struct parameter { int slot; const char *name, *unit; char range; };
-
-static const struct parameter parameters[] = {
-#define X(slot, id, name, unit, value, range, meaning) { slot, name, unit, range },
-  MLG_PARAMETERS(X)
-#undef X
-};
 
 /* AUTO-07p 0.9.2, manual chapter 10; values that are names of parameters are
  * marked 'p', of parameters or states 'u'. */
@@ -79,12 +72,9 @@ static int is_auto_constant(const char *key, char *names)
   return 0;
 }
 
-static const struct parameter *find_parameter(const char *name)
+static const struct mlg_parameter *find_parameter(const char *name)
 {
-  for (size_t i = 0; i < sizeof parameters / sizeof *parameters; i++)
-    if (strcmp(name, parameters[i].name) == 0)
-      return &parameters[i];
-  return NULL;
+  return mlg_find(name, strlen(name));
 }
 
 static char *copy(const char *text, size_t length)
@@ -277,30 +267,17 @@ static int is_integer(const char *text, long *value)
   return end != text && *end == '\0' && errno == 0;
 }
 
-static int is_number(const char *text, double *value)
-{
-  char *end;
-
-  *value = strtod(text, &end);
-  return end != text && *end == '\0' && isfinite(*value) && !strpbrk(text, "xXpPnN");
-}
-
 static void check_value(const struct constants *c, const struct entry *e, const char *name,
                         const char *text)
 {
-  const struct parameter *p = find_parameter(name);
+  const struct mlg_parameter *p = find_parameter(name);
   double x;
 
   if (!is_number(text, &x))
     bad_input(c->file, e->line, "%s = %s is not a finite number", name, text);
-  if (!p)
-    return;
-  if (p->range == '+' && !(x > 0.))
-    bad_input(c->file, e->line, "%s = %s %s is outside its range; it must be above 0%s", name, text,
-              p->unit, p->slot == PAR_K_S + 1 ? " (1e30 makes the spring rigid)" : "");
-  if (p->range == '0' && !(x >= 0.))
-    bad_input(c->file, e->line, "%s = %s %s is outside its range; it must not be below 0", name,
-              text, p->unit);
+  if (p && !mlg_in_range(p, x))
+    bad_input(c->file, e->line, "%s = %s %s is outside its range, %g to %g%s", name, text, p->unit,
+              p->least, p->most, p->slot == PAR_K_S ? "; 1e30 is rigid" : "");
 }
 
 /* parnames: a name of the model stands under its own slot. */
@@ -310,18 +287,18 @@ static void check_parnames(const struct constants *c, const struct items *parnam
 
   for (int i = 0; i < parnames->n; i++) {
     const struct item *it = &parnames->item[i];
-    const struct parameter *p = find_parameter(it->value);
+    const struct mlg_parameter *p = find_parameter(it->value);
     long slot;
 
     if (!is_integer(it->key, &slot) || slot < 1)
       bad_input(c->file, e->line, "parnames: '%s' is not a slot; expected 1, 2, ...", it->key);
-    if (p && slot != p->slot)
+    if (p && slot != p->slot + 1)
       bad_input(c->file, e->line, "parnames: %s stands under %ld; it is PAR(%d)", it->value, slot,
-                p->slot);
-    for (size_t k = 0; k < sizeof parameters / sizeof *parameters; k++)
-      if (!p && parameters[k].slot == slot)
+                p->slot + 1);
+    for (int k = 0; k < MLG_PARAMETER_COUNT; k++)
+      if (!p && mlg_parameters[k].slot + 1 == slot)
         bad_input(c->file, e->line, "parnames: PAR(%ld) is called '%s'; its name is %s", slot,
-                  it->value, parameters[k].name);
+                  it->value, mlg_parameters[k].name);
   }
 }
 
@@ -396,7 +373,7 @@ static void check(const struct constants *c)
 }
 
 /* Puts name: value into the dictionary PAR. */
-static void set_parameter(struct constants *c, const char *name, const char *value)
+static void put_parameter(struct constants *c, const char *name, const char *value)
 {
   static struct items items;
   static char text[MAX_FILE];
@@ -439,7 +416,7 @@ static void set_gear(struct constants *c, const char *file)
     if (!find_parameter(items.item[k].key))
       bad_input(file, e->line, "PAR: '%s' is not a parameter (see models/mlg.h)", items.item[k].key);
     check_value(&gear, e, items.item[k].key, items.item[k].value);
-    set_parameter(c, items.item[k].key, items.item[k].value);
+    put_parameter(c, items.item[k].key, items.item[k].value);
   }
 }
 
@@ -471,7 +448,7 @@ int main(int argc, char *argv[])
     else if (is_auto_constant(name, NULL))
       set(&c, name, value, 0);
     else if (find_parameter(name) || is_named(&c, "parnames", name))
-      set_parameter(&c, name, value);
+      put_parameter(&c, name, value);
     else
       bad_input(argv[1], 0, "'%s' is neither an AUTO constant nor a parameter (parnames, models/mlg.h)",
                 name);
@@ -479,7 +456,5 @@ int main(int argc, char *argv[])
   check(&c);
   for (int i = 0; i < c.n; i++)
     printf("%s = %s\n", c.entry[i].key, c.entry[i].value);
-  if (fflush(stdout) != 0)
-    bad_input("standard output", 0, "%s", strerror(errno));
-  return 0;
+  return output_status("constants");
 }

@@ -431,5 +431,5 @@ int main(int argc, char *argv[])
     free(curves[i].point);
   }
   free(curves);
-  return 0;
+  return output_status("curves");
 }

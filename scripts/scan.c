@@ -592,6 +592,7 @@ int main(int argc, char *argv[])
   double par[36] = { 0. };
   const char *what = argc > 1 ? argv[1] : "";
   const int check = strcmp(what, "check") == 0;
+  double c_lo, c_hi;
 
   mlg_defaults(par);
   for (int i = check ? 4 : 2; i < argc; i++)
@@ -604,11 +605,11 @@ int main(int argc, char *argv[])
     print_widest(par);
   else if (strcmp(what, "regions") == 0)
     print_regions(par);
-  else if (check && argc > 3)
-    return !is_whole_interval(par, strtod(argv[2], NULL), strtod(argv[3], NULL));
+  else if (check && argc > 3 && is_number(argv[2], &c_lo) && is_number(argv[3], &c_hi))
+    return !is_whole_interval(par, c_lo, c_hi);
   else {
     fprintf(stderr, "usage: scan points|intervals|widest|regions|check C_LO C_HI [NAME=VALUE ...]\n");
     return 2;
   }
-  return 0;
+  return output_status("scan");
 }

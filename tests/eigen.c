@@ -7,6 +7,7 @@
 
 #include "eigen.h"
 #include "criticality.h"
+#include "arguments.h"
 
 /* plugin.h asks AUTO for these; func() does not. */
 doublereal getp(const char *code, integer ic, const doublereal *u)
@@ -41,83 +42,41 @@ static const char usage[] =
   "                                   number of unstable pairs on a grid, as CSV\n"
   "Other names are those of the parameters (models/mlg.h), in SI units.\n";
 
-static const struct { const char *name; int slot; char range; } parameter[] = {
-#define X(slot, id, name, unit, value, range, meaning) { name, PAR_##id, range },
-  MLG_PARAMETERS(X)
-#undef X
-};
-enum { PARAMETERS = sizeof parameter / sizeof *parameter };
-
 /* What a command takes besides parameters. */
 struct option { const char *name; double value; bool given; };
-
-static _Noreturn void refuse(const char *text, const char *what)
-{
-  fprintf(stderr, "%s: %s\n", what, text);
-  exit(2);
-}
-
-static int find_parameter(const char *name, size_t length)
-{
-  for (int i = 0; i < PARAMETERS; i++)
-    if (strlen(parameter[i].name) == length && strncmp(parameter[i].name, name, length) == 0)
-      return i;
-  return -1;
-}
-
-static double number(const char *argument)
-{
-  const char *text = strchr(argument, '=') + 1;
-  char *end;
-  const double value = strtod(text, &end);
-
-  if (end == text || *end != '\0' || !isfinite(value))
-    refuse("not a finite number", argument);
-  return value;
-}
 
 /* Reads name=value arguments.  A command that wants free=NAME passes free_slot. */
 static void read_arguments(int n, char **argument, double par[], bool given[],
                            struct option option[], int *free_slot)
 {
   for (int i = 0; i < n; i++) {
-    const char *equals = strchr(argument[i], '=');
+    const size_t length = strcspn(argument[i], "=");
     struct option *o = option;
-
-    if (equals == NULL)
-      refuse("not of the form name=value", argument[i]);
-    const size_t length = (size_t)(equals - argument[i]);
-    const int known = find_parameter(argument[i], length);
 
     while (o->name != NULL && (strlen(o->name) != length || strncmp(o->name, argument[i], length) != 0))
       o++;
-    if (free_slot != NULL && length == 4 && strncmp(argument[i], "free", 4) == 0) {
-      const int which = find_parameter(equals + 1, strlen(equals + 1));
+    if (free_slot != NULL && strncmp(argument[i], "free=", 5) == 0) {
+      const struct mlg_parameter *which = mlg_find(argument[i] + 5, strlen(argument[i] + 5));
 
-      if (which < 0)
-        refuse("no parameter of this name", argument[i]);
-      *free_slot = parameter[which].slot;
+      if (which == NULL)
+        refuse("eigen", argument[i], "no such parameter (see models/mlg.h)");
+      *free_slot = which->slot;
     } else if (o->name != NULL) {
-      o->value = number(argument[i]);
-      o->given = true;
-    } else if (known >= 0) {
-      const double value = number(argument[i]);
+      size_t same;
 
-      if ((parameter[known].range == '+' && !(value > 0.)) || (parameter[known].range == '0' && value < 0.))
-        refuse("out of range", argument[i]);
-      par[parameter[known].slot] = value;
-      given[parameter[known].slot] = true;
+      o->value = number_of("eigen", argument[i], &same);
+      o->given = true;
     } else {
-      refuse("this command has no such name", argument[i]);
+      given[set_parameter("eigen", par, argument[i])] = true;
     }
   }
 }
 
 static const char *name_of(int slot)
 {
-  for (int i = 0; i < PARAMETERS; i++)
-    if (parameter[i].slot == slot)
-      return parameter[i].name;
+  for (int i = 0; i < MLG_PARAMETER_COUNT; i++)
+    if (mlg_parameters[i].slot == slot)
+      return mlg_parameters[i].name;
   return "?";
 }
 
@@ -125,7 +84,7 @@ static const char *name_of(int slot)
 static void want(const bool given[], int slot, bool guess)
 {
   if (given[slot] != guess)
-    refuse(guess ? "a guess is wanted, name=value" : "this command sets it itself", name_of(slot));
+    refuse("eigen", name_of(slot), guess ? "a guess is wanted, name=value" : "this command sets it itself");
 }
 
 static int print_eigenvalues(int n, char **argument)
@@ -158,14 +117,14 @@ static int print_boundary(int n, char **argument)
   mlg_defaults(par);
   read_arguments(n, argument, par, given, option, &slot);
   if (slot < 0 || !option[FROM].given || !option[TO].given)
-    refuse("free=NAME, from= and to= are wanted", "boundary");
+    refuse("eigen", "boundary", "free=NAME, from= and to= are wanted");
   want(given, slot, false);
   if (!(option[TO].value > option[FROM].value))
-    refuse("to= is not above from=", "boundary");
+    refuse("eigen", "boundary", "to= has to be above from=");
   if (!option[STEP].given)
     option[STEP].value = (option[TO].value - option[FROM].value) / 400.;
   if (!(option[STEP].value >= 1e-6 * (option[TO].value - option[FROM].value)))
-    refuse("not above a millionth of the range", "step");
+    refuse("eigen", "step", "it has to be above a millionth of the range");
 
   const int found = eigen_crossings(par, slot, option[FROM].value, option[TO].value,
                                     option[STEP].value, crossing, ROOM);
@@ -190,7 +149,7 @@ static int print_point(enum eigen_condition condition, int n, char **argument)
   mlg_defaults(par);
   read_arguments(n, argument, par, given, option, unknowns == 3 ? &slot[2] : NULL);
   if (unknowns == 3 && slot[2] < 0)
-    refuse("free=NAME is wanted", "centre");
+    refuse("eigen", "centre", "free=NAME is wanted");
   for (int i = 0; i < unknowns; i++)
     want(given, slot[i], true);
   const double change = eigen_refine(condition, par, slot);
@@ -231,7 +190,7 @@ static int print_intervals(int n, char **argument)
   if (!(option[V_LO].value >= 0. && option[V_HI].value > option[V_LO].value && option[STEP].value >= 1e-4
         && option[C_D_LO].value > 0. && option[C_D_HI].value > option[C_D_LO].value
         && option[C_D_STEPS].value >= 2. && option[C_D_STEPS].value <= 1e6))
-    refuse("0 <= V_lo < V_hi, step >= 1e-4, 0 < c_d_lo < c_d_hi and c_d_steps >= 2 are wanted", "interval");
+    refuse("eigen", "interval", "0 <= V_lo < V_hi, step >= 1e-4, 0 < c_d_lo < c_d_hi and c_d_steps >= 2 are wanted");
   const struct eigen_scan scan = { option[V_LO].value, option[V_HI].value, option[STEP].value,
                                    option[C_D_LO].value, option[C_D_HI].value,
                                    (int)option[C_D_STEPS].value };
@@ -266,7 +225,7 @@ static int print_map(int n, char **argument)
   if (!(option[V_LO].value >= 0. && option[V_HI].value > option[V_LO].value && option[C_D_LO].value >= 0.
         && option[C_D_HI].value > option[C_D_LO].value && option[V_N].value >= 2. && option[V_N].value <= 1e5
         && option[C_D_N].value >= 2. && option[C_D_N].value <= 1e5))
-    refuse("0 <= V_lo < V_hi, 0 <= c_d_lo < c_d_hi and 2 <= V_n, c_d_n <= 1e5 are wanted", "map");
+    refuse("eigen", "map", "0 <= V_lo < V_hi, 0 <= c_d_lo < c_d_hi and 2 <= V_n, c_d_n <= 1e5 are wanted");
   const int V_n = (int)option[V_N].value, c_d_n = (int)option[C_D_N].value;
 
   printf("V,c_d,unstable_pairs\n");
@@ -375,9 +334,5 @@ int main(int argc, char **argv)
     fprintf(stderr, usage, argv[0]);
     return 2;
   }
-  if (fflush(stdout) != 0 || ferror(stdout)) {
-    fprintf(stderr, "the output cannot be written\n");
-    return 1;
-  }
-  return status;
+  return output_status("eigen") ? 1 : status;
 }

@@ -111,12 +111,36 @@ fails() {
 ## Values
 
 @test "values outside their range, in a file or handed over" {
-  refuses_file "$(line PAR)" 'c_d = -1 N m s/rad is outside its range; it must not be below 0' '/^PAR/s/3.6e4/-1/'
-  refuses '*c.l1.straight*: c_d = -1 N m s/rad is outside its range; it must not be below 0' auto_run a l1.straight c_d=-1 --
-  refuses '*c.l1.straight*: V = -1 m/s is outside its range; it must not be below 0' auto_run a l1.straight V=-1 --
-  refuses '*c.l1.straight*: k_s = 0 N m/rad is outside its range; it must be above 0 (1e30 *)' auto_run a l1.straight k_s=0 --
-  refuses '*c.l1.straight*: l = 0 m is outside its range; it must be above 0' auto_run a l1.straight l=0 --
-  refuses '*c.l1.periodic*: k_psi = 0 *it must be above 0*' auto_run a l1.periodic from=straight k_psi=0 --
+  refuses_file "$(line PAR)" 'c_d = -1 N m s/rad is outside its range, 0 to 1e+09' '/^PAR/s/3.6e4/-1/'
+  refuses '*c.l1.straight*: c_d = -1 N m s/rad is outside its range, 0 to 1e+09' auto_run a l1.straight c_d=-1 --
+  refuses '*c.l1.straight*: V = -1 m/s is outside its range, 0 to 1000' auto_run a l1.straight V=-1 --
+  refuses '*c.l1.straight*: k_s = 0 N m/rad is outside its range, 1 to inf; 1e30 is rigid' auto_run a l1.straight k_s=0 --
+  refuses '*c.l1.straight*: l = 0 m is outside its range, 0.001 to 100' auto_run a l1.straight l=0 --
+  refuses '*c.l1.straight*: V = 1e300 m/s is outside its range, 0 to 1000' auto_run a l1.straight V=1e300 --
+  refuses '*c.l1.straight*: c_d = 1e10 N m s/rad is outside its range, 0 to 1e+09' auto_run a l1.straight c_d=1e10 --
+  refuses '*c.l1.straight*: k_d = -1e5 N m/rad is outside its range, 1 to 1e+12' auto_run a l1.straight k_d=-1e5 --
+  refuses '*c.l1.periodic*: k_psi = 0 N m/rad is outside its range, 1 to 1e+12' auto_run a l1.periodic from=straight k_psi=0 --
+}
+
+@test "the ends of a range are not outside it" {
+  auto_run ends l1.straight c_d=0 V=0 -- HB=2
+  auto_run ends l1.straight c_d=1e9 k_s=1e30 -- HB=4
+}
+
+@test "values outside their range on the command lines of scan and curves" {
+  local program
+  for program in 'scan-l1 points' 'scan-l1 intervals' curves-l1; do
+    # shellcheck disable=SC2086 # a program and its command
+    {
+      refuses "*: 'c_psi=-1': outside its range, 0 to 1e+09 N m s/rad" build/bin/$program c_psi=-1
+      refuses "*: 'k_psi=0': outside its range, 1 to 1e+12 N m/rad" build/bin/$program k_psi=0
+      refuses "*: 'compliance=-1': outside its range, 0 to 100000 1e-5 rad/(N m)" build/bin/$program compliance=-1
+      refuses "*: 'R=nan': expected NAME=NUMBER" build/bin/$program R=nan
+      refuses "*: 'R': expected NAME=NUMBER" build/bin/$program R
+      refuses "*: 'c_q=1': no such parameter*" build/bin/$program c_q=1
+    }
+  done
+  refuses 'usage: scan *' build/bin/scan-l1 check 1e3 many
 }
 
 @test "values that are no finite numbers" {

@@ -89,7 +89,7 @@ static void random_parameters(double par[])
   for (int i = 0; i < SLOTS; i++)
     par[i] = 0.;
   mlg_defaults(par);
-#define X(slot, id, name, unit, value, range, meaning) par[PAR_##id] *= uniform(0.7, 1.3);
+#define X(slot, id, name, unit, value, least, most, meaning) par[PAR_##id] *= uniform(0.7, 1.3);
   MLG_PARAMETERS(X)
 #undef X
   par[PAR_V] = uniform(0., 200.);
@@ -229,7 +229,7 @@ static void libmlg_is_func(void **state)
     limiting(par, n % 16);
     random_state_vector(u);
     rates(par, u, expected);
-#define X(slot, id, name, unit, value, range, meaning) packed[libmlg_parameter(name)] = par[PAR_##id];
+#define X(slot, id, name, unit, value, least, most, meaning) packed[libmlg_parameter(name)] = par[PAR_##id];
     MLG_PARAMETERS(X)
 #undef X
     assert_int_equal(libmlg_outside(packed), LIBMLG_NONE);
@@ -258,22 +258,24 @@ static void libmlg_knows_what_is_none(void **state)
   assert_null(libmlg_state_quantity(0, libmlg_states(0)));
   for (int i = -1; i <= libmlg_parameters(); i += libmlg_parameters() + 1) {
     assert_null(libmlg_parameter_quantity(i));
-    assert_int_equal(libmlg_range(i), 0);
+    assert_true(isnan(libmlg_least(i)) && isnan(libmlg_most(i)));
     assert_true(isnan(libmlg_default(i)));
   }
   for (int i = 0; i < libmlg_parameters(); i++) {
-    const char range = libmlg_range(i);
+    const int k_s = i == libmlg_parameter("k_s");
+    const double bound[] = { libmlg_least(i), libmlg_most(i) };
+    const double outside[] = { bound[0] - 1., k_s ? -INFINITY : 2. * bound[1], k_s ? 0. : INFINITY, NAN };
 
     libmlg_defaults(par);
     assert_int_equal(libmlg_outside(par), LIBMLG_NONE);
-    par[i] = 0.;
-    assert_int_equal(libmlg_outside(par), range == '+' ? i : LIBMLG_NONE);
-    par[i] = -1.;
-    assert_int_equal(libmlg_outside(par), range == '*' ? LIBMLG_NONE : i);
-    par[i] = NAN;
-    assert_int_equal(libmlg_outside(par), i);
-    par[i] = INFINITY;
-    assert_int_equal(libmlg_outside(par), i == libmlg_parameter("k_s") ? LIBMLG_NONE : i);
+    for (int k = 0; k < 2; k++) {
+      par[i] = bound[k];
+      assert_int_equal(libmlg_outside(par), LIBMLG_NONE);
+    }
+    for (int k = 0; k < 4; k++) {
+      par[i] = outside[k];
+      assert_int_equal(libmlg_outside(par), i);
+    }
   }
 }
 

@@ -28,7 +28,7 @@ static int seed(void **state)
 static void random_parameters(double par[])
 {
   mlg_defaults(par);
-#define X(slot, id, name, unit, value, range, meaning) par[PAR_##id] *= uniform(0.7, 1.3);
+#define X(slot, id, name, unit, value, least, most, meaning) par[PAR_##id] *= uniform(0.7, 1.3);
   MLG_PARAMETERS(X)
 #undef X
   par[PAR_V] = uniform(0., 100.);
@@ -322,11 +322,17 @@ static void slots_are_distinct_and_not_autos(void **state)
   mlg_defaults(par);
   for (int i = 9; i < 14; i++)
     assert_near(par[i], -123., 0.);
-#define X(slot, id, name, unit, value, range, meaning)                                 \
-  assert_true(range == '*' || (range == '0' && par[PAR_##id] >= 0.)                    \
-              || (range == '+' && par[PAR_##id] > 0.));
-  MLG_PARAMETERS(X)
-#undef X
+  for (int i = 0; i < MLG_PARAMETER_COUNT; i++) {
+    const struct mlg_parameter *p = &mlg_parameters[i];
+
+    assert_ptr_equal(mlg_find(p->name, strlen(p->name)), p);
+    assert_true(p->least < p->most && mlg_in_range(p, par[p->slot]));
+    assert_true(mlg_in_range(p, p->least) && mlg_in_range(p, p->most));
+    assert_false(mlg_in_range(p, p->least - 1.) || mlg_in_range(p, NAN));
+    assert_true(isinf(p->most) || !mlg_in_range(p, 2. * p->most));
+  }
+  assert_null(mlg_find("c", 1));
+  assert_null(mlg_find("c_d2", 4));
 }
 
 static void damper_is_never_zero(void **state)
