@@ -33,20 +33,22 @@ extern void dggev_(const char *jobvl, const char *jobvr, const integer *n, doubl
                    const integer *ldvr, double *work, const integer *lwork, integer *info,
                    size_t len_jobvl, size_t len_jobvr);
 
-/* Ends the run when a parameter that is divided by has a value that would
- * silently detach the device or turn everything into NaN. */
-static void refuse_unusable(const double par[])
+/* Whether each parameter that is divided by is above 0: else the device would
+ * silently be detached, or all turn into NaN.  Says the first that is not. */
+static int usable(const double par[])
 {
   static const int divisor[] = { PAR_K_S, PAR_K_PSI, PAR_L, PAR_ALPHA_M };
+  static int said;
 
   for (size_t i = 0; i < sizeof divisor / sizeof *divisor; i++)
-    if (!(par[divisor[i]] > 0.))
-      for (int k = 0; k < MLG_PARAMETER_COUNT; k++)
-        if (mlg_parameters[k].slot == divisor[i]) {
-          fprintf(stderr, "PAR(%d) %s = %g %s must be above 0\n", divisor[i] + 1, mlg_parameters[k].name,
-                  par[divisor[i]], mlg_parameters[k].unit);
-          exit(2);
-        }
+    if (!(par[divisor[i]] > 0.)) {
+      for (int k = 0; k < MLG_PARAMETER_COUNT && !said; k++)
+        if (mlg_parameters[k].slot == divisor[i])
+          said = fprintf(stderr, "PAR(%d) %s = %g %s must be above 0\n", divisor[i] + 1,
+                         mlg_parameters[k].name, par[divisor[i]], mlg_parameters[k].unit);
+      return 0;
+    }
+  return 1;
 }
 
 /* dfdu[j * NDIM + i] = d f_i / d u_j by differences of fourth order, exact to
@@ -72,13 +74,18 @@ static void jacobian(const double par[], const double u[], double dfdu[])
 }
 
 /* Right-hand side and, for JAC=-1, its derivatives with respect to the states
- * (AUTO's FUNC); those with respect to parameters are left to AUTO. */
+ * (AUTO's FUNC); those with respect to parameters are left to AUTO.  Where a
+ * parameter is unusable the rates are so large that AUTO tries a shorter step (it
+ * takes NaN for converged), and ends with MX when that does not help. */
 int func(integer ndim, const doublereal *u, const integer *icp, const doublereal *par,
          integer ijac, doublereal *f, doublereal *dfdu, doublereal *dfdp)
 {
-  (void)ndim, (void)icp, (void)dfdp;
-  refuse_unusable(par);
-  right_hand_side(par, u, f);
+  (void)icp, (void)dfdp;
+  if (usable(par))
+    right_hand_side(par, u, f);
+  else
+    for (integer i = 0; i < ndim; i++)
+      f[i] = 1e30;
   if (ijac != 0)
     jacobian(par, u, dfdu);
   return 0;

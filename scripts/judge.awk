@@ -2,7 +2,7 @@
 #   awk -v expect="HB=4 TR=1" -f auto.awk -f judge.awk fort.9 fort.7
 # Prints the special points; each complaint goes on a line that begins with
 # "FAIL ".  AUTO itself ends with status 0 whatever happens, so this looks for:
-# MX, NaN, no solution at all, the steps used up before the stopping point,
+# MX, NaN, no solution at all, a last point without a label, the steps used up before the stopping point,
 # a change of stability or a fold of ICP(1) that carries no label (stepped
 # over), and numbers of points other than expected.  EP at the first point is
 # where the run starts and does not count.  "closed" counts as a type.
@@ -45,6 +45,7 @@ constant["ILP"] > 0 && solutions > 2 {
 { before_free = was_free; was_type = type; was_free = value[column[free]] }
 
 END {
+  if (solutions && !closed && type == "") fail("AUTO broke off at " column[free] " = " was_free)
   if (closed) found["closed"] = 1
   if (status) fail("AUTO stopped with status " status)
   if (!solutions) fail("AUTO computed no solution")

@@ -73,7 +73,8 @@ run() {
   touch "$work"/fort.{7,8,9}
   found=$(awk -v expect="$*" -v status="$status" -f scripts/auto.awk -f scripts/judge.awk "$work/fort.9" "$work/fort.7")
   if grep -q '^FAIL ' <<< "$found"; then
-    { echo "$name ($file): $(grep '^FAIL ' <<< "$found" | sed 's/^FAIL //' | paste -sd ';')"
+    # the models' own word first: a parameter that left its range
+    { echo "$name ($file): $( { grep '^PAR(' "$work/auto.log" || true; grep '^FAIL ' <<< "$found" | sed 's/^FAIL //'; } | paste -sd ';')"
       echo "  end of AUTO's output ($work/auto.log):"
       tail -n 6 "$work/auto.log" | sed 's/^/  | /'; } >&2
     exit 1

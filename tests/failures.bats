@@ -179,6 +179,12 @@ fails() {
   fails '*MX: no convergence*' mx l1.periodic from=straight EPSU=1e-30 EPSL=1e-30 -- closed=1
 }
 
+@test "a parameter that is continued out of its range" {
+  fails 'PAR(30) alpha_m = -* rad must be above 0;*' left l1.periodic from=straight ICP="['alpha_m', 'period']" DS=-0.01 UZR={} UZSTOP={} --
+  # so near to 0 that AUTO's eigenvalues fail: AUTO stops there, with status 0
+  fails 'PAR(28) l = -*;AUTO broke off at l = *' left l1.straight V=20 ICP="['l', 'period']" DS=-0.01 DSMAX=0.02 UZSTOP={} --
+}
+
 @test "steps used up" {
   fails '*ended at EP: the steps (NMX) were used up*' few l1.straight NMX=50 -- HB=0
   fails '*ended at EP: the steps (NMX) were used up*' few l1.periodic from=straight NMX=10 -- TR=0
