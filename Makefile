@@ -19,7 +19,7 @@ models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.ex
 libraries := build/lib/libmlg.a build/lib/libmlg.so
 goals := $(or $(MAKECMDGOALS),figures)
 
-.PHONY: figures models libmlg collect test test-programs check-scripts setup clean distclean help always
+.PHONY: figures models libmlg collect drawings test test-programs check-scripts setup clean distclean help always
 
 figures: ## every figure and the table of paper against computed values
 	@scripts/targets.sh
@@ -65,10 +65,14 @@ build/bin/$(1)-%: scripts/$(1).c models/%.c Makefile
 	@mkdir -p $$(@D)
 	@$$(call compiled,$$(CC) $$(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$$*.c"' $$< $(2) -lm)
 endef
-$(foreach tool,scan curves,$(eval $(call tool_rule,$(tool))))
+$(foreach tool,scan curves draw,$(eval $(call tool_rule,$(tool))))
 
 build/models/%.exe: build/models/%.o
 	@$(call whole,$(AUTO_FC) $< $(AUTO_LINK))
+
+build/bin/gear: scripts/gear.c Makefile
+	@mkdir -p $(@D)
+	@$(call compiled,$(CC) $(CFLAGS) $< -lm)
 
 build/bin/constants: scripts/constants.c Makefile
 	@mkdir -p $(@D)
@@ -121,7 +125,7 @@ $(1): collect
 endef
 $(foreach figure,$(figures),$(eval $(call figure_rules,$(figure))))
 
-figures: $(figures)
+figures: $(figures) drawings
 fig07.hopf: fig06.a fig06.c
 fig07.torus_psi_up fig07.torus_psi_down fig07.torus_delta: fig06.a
 
@@ -142,6 +146,17 @@ fig13: ## Figure 13: boundary points and largest width, layout LI1
 fig14: ## Figure 14: Hopf curves for several k_s and b, layout LI2
 fig15: ## Figure 15: zero-shimmy regions and largest width, layout LI2
 
+# --- drawings of the gear and of each layout, docs/drawings ------------------
+drawings: $(layouts:%=docs/drawings/%.svg) docs/drawings/gear.svg ## docs/drawings: the gear and each layout's device
+
+docs/drawings/gear.svg: build/bin/gear
+	@mkdir -p $(@D)
+	@$< > build/$(@F) && mv build/$(@F) $@
+
+docs/drawings/%.svg: build/bin/draw-%
+	@mkdir -p $(@D)
+	@$< > build/$(@F) && mv build/$(@F) $@
+
 # --- tests -----------------------------------------------------------------
 # One program for each tests/test_*.c; of test_layout.c one for each layout, and
 # beside it the oracle tests/eigen.c. They include the model, and nothing of AUTO
@@ -155,7 +170,8 @@ to_test_layout = $(to_test) -D_DEFAULT_SOURCE -isystem $(AUTO_INCLUDE) -DLAYOUT=
 test: test-programs ## every test; tests/run.sh runs some of them
 	@tests/run.sh
 
-test-programs: $(models) $(libraries) $(tests) $(layout_tests) $(oracles)
+test-programs: $(models) $(libraries) $(tests) $(layout_tests) $(oracles) \
+               $(layouts:%=build/bin/draw-%) build/bin/gear
 
 check-scripts: models ## shellcheck over every script and test
 	@tests/run.sh scripts

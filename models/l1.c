@@ -4,6 +4,8 @@
  *   wheels ---/\/\/\/---o----+           +---- strut
  *     psi              eps   +--[ c_d ]--+
  *
+ *   drawn in docs/drawings/l1.svg
+ *
  *   T_d = k_psi (psi - eps) = k_d eps + c_d eps'                          (4)
  */
 #include "mlg.h"

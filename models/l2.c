@@ -4,6 +4,8 @@
  *   wheels ---/\/\/\/---/\/\/\/---o---+           +---- strut
  *     psi                        eps  +--[ c_d ]--+
  *
+ *   drawn in docs/drawings/l2.svg
+ *
  *   T_d = k_psi_e (psi - eps) = k_d eps + c_d eps'                        (4)
  *   k_psi_e = 1 / (1/k_psi + 1/k_s)                                      (37)
  *

@@ -6,6 +6,8 @@
  *     psi                        eps  |           |
  *                                     +--[  b  ]--+
  *
+ *   drawn in docs/drawings/li1.svg
+ *
  *   T_d = k_psi_e (psi - eps) = k_d eps + c_d eps' + b eps''
  *   k_psi_e = 1 / (1/k_psi + 1/k_s)                                      (37)
  *

@@ -4,6 +4,8 @@
  *   wheels ---/\/\/\/---o---+           +---o---+           +---- strut
  *     psi              chi  +--[  b  ]--+  eps  +--[ c_d ]--+
  *
+ *   drawn in docs/drawings/li2.svg
+ *
  *   T_d = k_psi (psi - eps - chi) = k_d eps + c_d eps' = k_s chi + b chi''
  *
  * b = 0 gives L2, a rigid k_s L1; chi then has no motion of its own, and the

@@ -10,6 +10,8 @@
  * and adds its device (see l1.c), so that AUTO's own commands build a layout
  * without knowing anything of this project.
  *
+ * docs/drawings/gear.svg shows it from three sides.
+ *
  *                B  (strut, rake phi)          seen from behind
  *                |\                               B
  *         l_delta| \ zeta                         |) delta   bending
