@@ -35,7 +35,7 @@ setup: build/auto.mk ## packages and AUTO only
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
 auto_given := $(AUTO_DIR)
-ifneq ($(filter-out help clean distclean libmlg build/lib/%,$(goals)),)
+ifneq ($(filter-out help clean distclean libmlg build/lib/% drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
 unexport AUTO_DIR
 endif
