@@ -88,7 +88,7 @@ static struct size size(const struct network *n)
 static const char *name(int slot)
 {
   switch (slot) {
-#define X(slot_, id, name, unit, value, range, meaning) case PAR_##id: return name;
+#define X(slot_, id, name, ...) case PAR_##id: return name;
     MLG_PARAMETERS(X)
 #undef X
   default: return "?";
