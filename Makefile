@@ -8,7 +8,6 @@
 CFLAGS = -O2 -std=c11 -Wall -Wextra -Wpedantic -Werror
 TEST_CFLAGS = -O1 -g -std=c11 -Wall -Wextra -Wpedantic -Werror -fsanitize=address,undefined \
               -fno-sanitize-recover=all
-sundials = -lsundials_cvode -lsundials_nvecserial
 SHELL = /bin/bash
 export MLG_BUILT = yes
 
@@ -16,6 +15,8 @@ export MLG_BUILT = yes
 layouts := $(patsubst models/%.c,%,$(shell grep -l '^#include "plugin.h"' models/*.c))
 models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.exe) \
           $(layouts:%=build/bin/scan-%) $(layouts:%=build/bin/curves-%) build/bin/constants
+integrating := simulate
+sundials = -lsundials_cvode -lsundials_nvecserial
 libraries := build/lib/libmlg.a build/lib/libmlg.so
 goals := $(or $(MAKECMDGOALS),figures)
 
@@ -34,6 +35,7 @@ setup: build/auto.mk ## packages and AUTO only
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
+need_test_packages := test% check-scripts $(integrating) $(integrating:%=build/bin/%-%)
 auto_given := $(AUTO_DIR)
 ifneq ($(filter-out help clean distclean libmlg build/lib/% drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
@@ -41,7 +43,7 @@ unexport AUTO_DIR
 endif
 
 build/auto.mk: always
-	@scripts/setup.sh $(if $(filter test% check-scripts,$(goals)),test,figures)
+	@scripts/setup.sh $(if $(filter $(need_test_packages),$(goals)),test,figures)
 	@AUTO_DIR='$(auto_given)' scripts/build-auto.sh
 
 # What a command makes has a name of its own until it is whole: neither a second
@@ -66,6 +68,12 @@ build/bin/$(1)-%: scripts/$(1).c models/%.c Makefile
 	@$$(call compiled,$$(CC) $$(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$$*.c"' $$< $(2) -lm)
 endef
 $(foreach tool,scan curves draw,$(eval $(call tool_rule,$(tool))))
+
+# programs on scripts/integrate.h
+$(foreach tool,$(integrating),$(eval $(call tool_rule,$(tool),$(sundials))))
+
+.PHONY: simulate
+simulate: $(layouts:%=build/bin/simulate-%) ## layouts in time from any start, build/bin/simulate-* (docs/simulate.md)
 
 build/models/%.exe: build/models/%.o
 	@$(call whole,$(AUTO_FC) $< $(AUTO_LINK))
@@ -171,7 +179,8 @@ test: test-programs ## every test; tests/run.sh runs some of them
 	@tests/run.sh
 
 test-programs: $(models) $(libraries) $(tests) $(layout_tests) $(oracles) \
-               $(layouts:%=build/bin/draw-%) build/bin/gear
+               $(layouts:%=build/bin/draw-%) build/bin/gear \
+               $(foreach tool,$(integrating),$(layouts:%=build/bin/$(tool)-%))
 
 check-scripts: models ## shellcheck over every script and test
 	@tests/run.sh scripts

@@ -38,24 +38,33 @@ static inline double number_of(const char *program, const char *word, size_t *le
   return value;
 }
 
+/* value, which word gives to p, if it is within the range of p. */
+static inline double in_range(const char *program, const char *word, const struct mlg_parameter *p,
+                              double value)
+{
+  char right[80];
+
+  if (!mlg_in_range(p, value)) {
+    snprintf(right, sizeof right, "outside its range, %g to %g %s", p->least, p->most, p->unit);
+    refuse(program, word, right);
+  }
+  return value;
+}
+
 /* Sets the parameter that word names, of models/mlg.h or compliance (1e5/k_s; 0
  * is rigid), and returns its slot. */
 static inline int set_parameter(const char *program, double par[], const char *word)
 {
   static const struct mlg_parameter compliance = { PAR_K_S, "compliance", "1e-5 rad/(N m)", 0., 1e5 };
   size_t length;
-  const double value = number_of(program, word, &length);
+  double value = number_of(program, word, &length);
   const struct mlg_parameter *p = mlg_find(word, length);
-  char right[80];
 
   if (length == strlen(compliance.name) && memcmp(word, compliance.name, length) == 0)
     p = &compliance;
   if (!p)
     refuse(program, word, "no such parameter (see models/mlg.h)");
-  if (!mlg_in_range(p, value)) {
-    snprintf(right, sizeof right, "outside its range, %g to %g %s", p->least, p->most, p->unit);
-    refuse(program, word, right);
-  }
+  value = in_range(program, word, p, value);
   par[p->slot] = p == &compliance ? 1e5 / value : value;
   return p->slot;
 }
