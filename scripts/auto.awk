@@ -1,6 +1,5 @@
-# auto.awk - reads AUTO's d. and b. file, in this order (fort.9 and fort.7 while
-# they are new); further awk programs build on it.  Every solution line of b.
-# reaches them taken apart into
+# auto.awk - reads AUTO's d. and b. file, in this order; further awk programs build
+# on it.  Every solution line of b. reaches them taken apart into
 #   point, type, label, stable (AUTO's sign of PT), value["column name"]
 # stable_count[point] is the number of stable eigenvalues or multipliers and
 # eigenvalues[point] the list "re im re im ..." of them, from d.
@@ -26,7 +25,7 @@ function type_name(code,    n, names) {
 function trim(s) { gsub(/^ +| +$/, "", s); return s }
 
 # d.: what stands there last for a point is of the point itself
-FILENAME ~ /(fort\.9|\/d\.[^\/]*)$/ {
+FILENAME ~ /(^|\/)d\.[^\/]*$/ {
   if ($0 ~ /Stable:/) { stable_count[$2] = $NF; eigenvalues[$2] = "" }
   if ($0 ~ /Eigenvalue +[0-9]+:/) eigenvalues[$2] = eigenvalues[$2] " " $(NF - 1) " " $NF
   next

@@ -21,32 +21,38 @@ unknowns() { # "POINT" ... [NAME=VALUE ...]
     END { print "U={" text "}" }'
 }
 
-# Whether a point lies on one of the runs' curves at that compliance.
-is_known() { # COMPLIANCE "POINT" RUN...
-  local compliance=$1 point=$2 run files=()
+# Those of the points that lie on no curve of the runs at that compliance.
+unknown_points() { # COMPLIANCE "POINTS" RUN...
+  local at=$1 points=$2 run files=()
   shift 2
   for run; do files+=("build/runs/$run/b.$run"); done
-  [ $# -gt 0 ] && awk -v at="$compliance" -v point="$point" -f scripts/auto.awk -f <(echo '
+  points="$points" awk -v at="$at" -f scripts/auto.awk -f <(echo '
     function log10(x) { return log(x) / log(10) }
-    BEGIN { split(point, p, " ") }
+    BEGIN { n = split(ENVIRON["points"], candidate, "\n") }
     { k = value["compliance"]; c = log10(value["c_1"]); f = value["f_1"]
       if (FILENAME == file && (k - at) * (k_was - at) <= 0 && k != k_was) {
         t = (at - k_was) / (k - k_was)
-        if ((c_was + t * (c - c_was) - log10(p[2])) ^ 2 < 1e-5 && (f_was + t * (f - f_was) - p[3]) ^ 2 < 1e-3) found = 1
+        for (i = 1; i <= n; i++) {
+          split(candidate[i], p, " ")
+          if ((c_was + t * (c - c_was) - log10(p[2])) ^ 2 < 1e-5 && (f_was + t * (f - f_was) - p[3]) ^ 2 < 1e-3) found[i] = 1
+        }
       }
       file = FILENAME; k_was = k; c_was = c; f_was = f }
-    END { exit !found }') "${files[@]}"
+    END { for (i = 1; i <= n; i++) if (!found[i] && candidate[i] != "") print candidate[i] }') "${files[@]}" < /dev/null
 }
 
 # All curves of boundary points of one layout and b over the compliance: from
 # every point of a scan at several compliances that is on no curve yet, both
 # ways.  build/runs/boundary.LAYOUT.bB.curves lists their runs.
 boundary_curves() { # LAYOUT B [KEY=VALUE ...]
-  local layout=$1 b=$2 compliance point run n=0 curves=()
+  local layout=$1 b=$2 compliance points point run n=0 curves=()
+  local list=build/runs/boundary.$1.b$2.curves
   shift 2
   for compliance in 0 0.02 0.05 0.1 0.15 0.2 0.25 0.3 0.34; do
-    while read -r point; do
-      if is_known "$compliance" "$point" "${curves[@]}"; then continue; fi
+    points=$(scan_points "$layout" "$compliance" "$b")
+    points=$(unknown_points "$compliance" "$points" "${curves[@]}")
+    while [ -n "$points" ]; do
+      point=${points%%$'\n'*}
       n=$((n + 1))
       for way in up down; do
         [ "$way" = up ] || [ "$compliance" != 0 ] || continue
@@ -55,9 +61,11 @@ boundary_curves() { # LAYOUT B [KEY=VALUE ...]
           compliance="$compliance" b="$b" DS="$([ $way = up ] && echo 0.002 || echo -0.002)" "$@" --
         curves+=("$run")
       done
-    done < <(scan_points "$layout" "$compliance" "$b")
+      points=$(unknown_points "$compliance" "${points#"$point"}" "${curves[@]}")
+    done
   done
-  printf '%s\n' "${curves[@]}" > "build/runs/boundary.$layout.b$b.curves"
+  printf '%s\n' "${curves[@]}" > "$list"
+  use "build/bin/scan-$layout" "$list"
 }
 
 curves_of() { # LAYOUT B: the b. files of its curves
@@ -91,6 +99,7 @@ end_regions() {
 boundary_points() { # FIGURE_NUMBER LAYOUT B
   local files
   mapfile -t files < <(curves_of "$2" "$3")
+  use "build/bin/scan-$2" "build/runs/boundary.$2.b$3.curves" "${files[@]}"
   awk -v layout="$2" -v b="$3" -v every=2 -f scripts/auto.awk -f scripts/boundary.awk "${files[@]}" \
     >> "$boundary_table.new"
   awk -v figure="$1" -v layout="$2" -v b="$3" -f scripts/auto.awk -f <(echo '
@@ -194,6 +203,7 @@ widths() { # LAYOUT NUMBER CONSTANTS "POINT"... kappa=.. b=.. [KEY=VALUE ...]
 width_rows() { # LAYOUT RUN...
   local layout=$1 run row b k_s c_lo c_hi
   shift
+  use_run "$@"
   for run; do
     awk -v layout="$layout" -f scripts/auto.awk -f scripts/widths.awk "build/runs/$run/b.$run"
   done > "$widths_table.rows"

@@ -18,18 +18,15 @@
 # A curve takes two runs: a short straight one across its starting point, which
 # finds the Hopf point there, then the curve, from edge to edge or once round.
 hopf_curves() {
-  local layout=$1 name=$2 started stamp curves closed at
+  local layout=$1 name=$2 started curves closed at
   local number way stop c_d V range step turns settings stops
   shift 2
-  started=$(date +%s%N)
+  started=${EPOCHREALTIME/./}
   build
   mkdir -p build/tables
   "build/bin/curves-$layout" "$@" > "build/tables/$name.curves" || exit $?
   "build/bin/scan-$layout" points "$@" > "build/tables/$name.extrema" || exit $?
-  # every run asks by itself whether it is up to date; asking once for all is quicker
-  stamp=$( { echo "$layout $*"; cat "build/tables/$name.curves" "constants/c.$layout."{straight,hopf} \
-    "build/models/$layout.exe" scripts/{auto.awk,judge.awk,lib.sh,curves.sh}; } | sha256sum)
-  if [ "$(cat "build/tables/$name.stamp" 2>/dev/null)" = "$stamp" ] && are_there "$name"; then return; fi
+  use "build/bin/"{curves,scan}"-$layout" "build/tables/$name."{curves,extrema}
   while IFS=, read -r number _ _ c_d V way stop range step turns; do
     [ "$number" != curve ] || continue
     mapfile -t settings < <(awk -v V="$V" -v range="$range" -v step="$step" -v way="$way" 'BEGIN {
@@ -44,18 +41,10 @@ hopf_curves() {
     run "$name.$number" "$layout.hopf" from="$name.$number.start" "$@" "${settings[@]:4}" \
       ILP=0 UZR="{${at:+'V': [$at]}}" UZSTOP="{$stops${stop:+, 'period': $stop}}" -- > /dev/null
   done < "build/tables/$name.curves"
-  echo "$stamp" > "build/tables/$name.stamp"
   curves=$(($(wc -l < "build/tables/$name.curves") - 1))
   closed=$(grep -c ,closed, "build/tables/$name.curves" || true)
-  printf '  %-28s %5d ms  %s\n' "$name" $((($(date +%s%N) - started) / 1000000)) \
+  printf '  %-28s %5d ms  %s\n' "$name" $(((${EPOCHREALTIME/./} - started) / 1000)) \
     "$curves curves, $closed closed"
-}
-
-are_there() { # NAME: whether all its curves are made
-  local number
-  while IFS=, read -r number _; do
-    [ "$number" = curve ] || [ -f "build/runs/$1.$number/b.$1.$number" ] || return 1
-  done < "build/tables/$1.curves"
 }
 
 # The curves of NAME as rows PREFIX,curve,shimmy,type,V,c_d of the open table.
@@ -66,6 +55,7 @@ curve_rows() { # PREFIX NAME
   mapfile -t files < <(awk -F, -v prefix="$1" -v name="$name" 'NR > 1 {
     printf "prefix=%s%s,%s\nclosed_curve=%s\n", prefix, $1, $3, $2 == "closed" ? "closed" : ""
     printf "build/runs/%s.%s/b.%s.%s\n", name, $1, name, $1 }' "build/tables/$name.curves")
+  use "build/tables/$name."{curves,extrema} "build/runs/$name."*/b.*
   awk -v name="$name" -v check="$table.check" -f scripts/auto.awk -f scripts/curves.awk \
     "build/tables/$name.curves" "build/tables/$name.extrema" "${files[@]}" >> "$table.new"
 }
@@ -97,6 +87,7 @@ begin_diagrams() { # LINE
 end_diagrams() {
   end_table
   mv "$table.check" "build/tables/check.$figure.csv"
+  use "build/tables/check.$figure.csv"
   awk -F, 'NR > 1 { n++; curves += $2; closed += $3; extrema += $4; if ($5 + 0 > worst) worst = $5 + 0 }
     END { printf "  %d diagrams, %d curves, %d closed; %d boundary points met to %.0e\n", n, curves, closed, extrema, worst }' \
     "build/tables/check.$figure.csv"

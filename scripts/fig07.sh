@@ -42,6 +42,7 @@ runs_torus_delta() { torus_runs delta up down; }
 
 tables() {
   local psi delta low # alone, so that a failure ends the script
+  use_run fig06.a.psi fig06.a.delta fig06.c.psi
   psi=$(shimmy_of fig06.a.psi)
   delta=$(shimmy_of fig06.a.delta)
   low=$(shimmy_of fig06.c.psi)

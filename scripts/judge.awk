@@ -1,5 +1,5 @@
 # judge.awk - is AUTO's run what it was meant to be?
-#   awk -v expect="HB=4 TR=1" -f auto.awk -f judge.awk fort.9 fort.7
+#   awk -v expect="HB=4 TR=1" -f auto.awk -f judge.awk d.RUN b.RUN
 # Prints the special points; each complaint goes on a line that begins with
 # "FAIL ".  AUTO itself ends with status 0 whatever happens, so this looks for:
 # MX, NaN, no solution at all, a last point without a label, the steps used up before the stopping point,

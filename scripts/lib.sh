@@ -20,6 +20,33 @@ build() {
   MLG_BUILT=yes
 }
 
+# Parts of a figure, its tables and its picture are asked for often and seldom have to
+# be made again: build/tables/NAME.made has the sums of all files NAME hangs on.
+is_made() { # NAME
+  sha256sum --check --status "build/tables/$1.made" 2> /dev/null
+}
+
+# make_from NAME FUNCTION FILE...: what hangs on these files and on those that the
+# function finds to use.  The sums of what one may edit meanwhile are taken before.
+make_from() {
+  uses=()
+  sums=$(sha256sum "${@:3}")
+  "$2"
+  { echo "$sums"; sha256sum "${!uses[@]}"; } | sort -u > "build/tables/$1.made.new"
+  mv "build/tables/$1.made.new" "build/tables/$1.made"
+}
+
+declare -A uses=()
+use() { # FILE...
+  local file
+  for file; do uses["$file"]=1; done
+}
+
+use_run() { # RUN...
+  local run
+  for run; do use "build/runs/$run/"{b,d}".$run"; done
+}
+
 # run NAME CONSTANTS [from=RUN] [model=MODEL] [gear=FILE] [KEY=VALUE ...] -- [TYPE=COUNT ...]
 #   CONSTANTS   constants/c.CONSTANTS, or a file's path; its name begins with
 #               the layout (l1.straight runs build/models/l1.exe)
@@ -30,7 +57,7 @@ build() {
 run() {
   [ $# -ge 2 ] || fail "usage: run NAME CONSTANTS [from=RUN] [KEY=VALUE ...] -- [TYPE=COUNT ...]" 2
   local name=$1 constants=$2 from='' model='' settings=() dir="build/runs/$1"
-  local file="constants/c.$2" base started found stamp status work
+  local file="constants/c.$2" base origin inputs text started found stamp status work
   shift 2
   while [ $# -gt 0 ] && [ "$1" != -- ]; do
     case $1 in
@@ -48,48 +75,49 @@ run() {
   [ -f "$file" ] || fail "$name: no constants file $file" 2
   build
   [ -x "$model" ] || fail "$name: $file is for the layout '${base%%.*}', but there is no models/${base%%.*}.c" 2
-  work=$dir.part
-  mkdir -p build/runs
+  origin=${from:+build/runs/$from/s.$from}
+  [ -d build/runs ] || mkdir -p build/runs
   exec 9> "$dir.lock" # another script may be making this very run
   flock 9
-  rm -rf "$work"
-  mkdir "$work"
-  build/bin/constants "$file" "${settings[@]}" > "$work/fort.2" || exit $?
-  if [ -n "$from" ]; then
-    [ -f "build/runs/$from/s.$from" ] || fail "$name: starts from $from, which has not been made" 2
-    ln -sf "../$from/s.$from" "$work/s.$from"
-    echo "s = '$from'" >> "$work/fort.2"
-  fi
-  stamp=$( { echo "$*"; cat "$work/fort.2" scripts/auto.awk scripts/judge.awk "$model" ${from:+"build/runs/$from/s.$from"}; } | sha256sum)
-  if [ "$(cat "$dir/stamp" 2>/dev/null)" = "$stamp" ]; then
-    rm -rf "$work"
+  # Every process started costs a millisecond, and there are hundreds of runs.
+  [ -z "$from" ] || [ -f "$origin" ] || fail "$name: starts from $from, which has not been made" 2
+  inputs=$(sha256sum "$file" scripts/{auto,judge}.awk "$model" ${from:+"$origin"})
+  sums+=$'\n'$inputs
+  text=$(build/bin/constants "$file" "${settings[@]}") || exit $?
+  [ -z "$from" ] || text+=$'\n'"s = '$from'"
+  text+=$'\n'"sv = '$name'" # AUTO writes b.NAME, s.NAME and d.NAME itself
+  use build/bin/constants "$dir/stamp"
+  stamp="$*"$'\n'$text$'\n'${inputs#*$'\n'} # another comment in the constants file is no change
+  if [ -f "$dir/stamp" ] && [ "$(< "$dir/stamp")" = "$stamp" ]; then
     exec 9>&-
     return
   fi
   if [ -n "${announce:-}" ]; then echo "$announce" >&2; announce=''; fi
-  started=$(date +%s%N)
+  started=${EPOCHREALTIME/./}
+  work=$dir.part
+  [ ! -e "$work" ] || rm -rf "$work"
+  mkdir "$work"
+  echo "$text" > "$work/fort.2"
+  [ -z "$from" ] || ln -s "../$from/s.$from" "$work/"
   status=0
-  (cd "$work" && "../../../$model") > "$work/auto.log" 2>&1 || status=$?
-  touch "$work"/fort.{7,8,9}
-  found=$(awk -v expect="$*" -v status="$status" -f scripts/auto.awk -f scripts/judge.awk "$work/fort.9" "$work/fort.7")
-  if grep -q '^FAIL ' <<< "$found"; then
+  (cd "$work" && exec "../../../$model") > "$work/auto.log" 2>&1 || status=$?
+  : >> "$work/b.$name"
+  : >> "$work/d.$name"
+  found=$(awk -v expect="$*" -v status="$status" -f scripts/auto.awk -f scripts/judge.awk "$work/d.$name" "$work/b.$name")
+  case $found in FAIL\ * | *$'\n'FAIL\ *)
     # the models' own word first: a parameter that left its range
     { echo "$name ($file): $( { grep '^PAR(' "$work/auto.log" || true; grep '^FAIL ' <<< "$found" | sed 's/^FAIL //'; } | paste -sd ';')"
       echo "  end of AUTO's output ($work/auto.log):"
       tail -n 6 "$work/auto.log" | sed 's/^/  | /'; } >&2
-    exit 1
-  fi
+    exit 1 ;;
+  esac
   mv "$work/fort.2" "$work/c.$name"
-  mv "$work/fort.7" "$work/b.$name"
-  mv "$work/fort.8" "$work/s.$name"
-  mv "$work/fort.9" "$work/d.$name"
-  rm -f "$work"/fort.*
   echo "$stamp" > "$work/stamp"
   echo "layout=${base%%.*}" > "$work/origin"
-  rm -rf "$dir"
+  [ ! -e "$dir" ] || rm -rf "$dir"
   mv "$work" "$dir"
   exec 9>&-
-  printf '  %-28s %5d ms  %s\n' "$name" $((($(date +%s%N) - started) / 1000000)) "$found"
+  printf '  %-28s %5d ms  %s\n' "$name" $(((${EPOCHREALTIME/./} - started) / 1000)) "$found"
 }
 
 # Tables.  begin_table FILE LINE... opens a table with these head lines, and the
@@ -105,12 +133,14 @@ begin_table() {
 }
 
 rows() { # PREFIX COLUMNS EVERY RUN [reverse]
+  use_run "$4"
   awk -v prefix="$1" -v columns="$2" -v every="$3" -v reverse="${5:+1}" -v hopf="$points_table.new" \
     -f scripts/auto.awk -f scripts/branch.awk "build/runs/$4/d.$4" "build/runs/$4/b.$4" >> "$table.new"
 }
 
 points() { # FIGURE RUN
   local layout
+  use_run "$2"
   layout=$(sed -n 's/^layout=//p' "build/runs/$2/origin")
   awk -v figure="$1" -v layout="$layout" -v run="$2" -f scripts/auto.awk -f scripts/points.awk \
     "build/runs/$2/d.$2" "build/runs/$2/b.$2" >> "$points_table.new"
@@ -128,10 +158,12 @@ end_table() {
 }
 
 replace() { # FILE: by FILE.new, unless they are the same
+  use "$1"
   if cmp -s "$1.new" "$1"; then rm "$1.new"; else mv "$1.new" "$1"; fi
 }
 
 draw() {
+  use "results/$figure".{png,svg}
   LC_ALL=C.UTF-8 gnuplot -e "figure='$figure'" scripts/style.gp "scripts/$figure.gp"
   echo "  results/$figure.png"
 }
@@ -154,13 +186,23 @@ main() { # FIGURE [runs [PART] | tables | draw]
         declare -F "runs_$part" > /dev/null || fail "$figure: no runs '$part'; there are ${parts[*]}" 2
       done
       [ $# -gt 2 ] || set -- "$figure" runs "${parts[@]}"
+      build
+      mkdir -p build/tables
       for part in "${@:3}"; do
+        if is_made "$figure.$part"; then continue; fi
         # said with the first run that is made
         announce="$figure: $part, part $(printf '%s\n' "${parts[@]}" | grep -nx "$part" | cut -d : -f 1) of ${#parts[@]}"
-        "runs_$part"
+        make_from "$figure.$part" "runs_$part" scripts/*.{sh,awk}
       done ;;
-    tables | draw) alone "$figure"; "$2" ;;
-    all) main "$figure" runs; alone "$figure"; tables; scripts/collect.sh; draw ;;
+    tables)
+      alone "$figure"
+      if is_made "$figure.tables"; then return; fi
+      make_from "$figure.tables" tables scripts/*.{sh,awk} ;;
+    draw)
+      alone "$figure"
+      if is_made "$figure.draw"; then return; fi
+      make_from "$figure.draw" draw scripts/*.{gp,awk} results/{fig*,boundary_points,widths}.csv ;;
+    all) main "$figure" runs; main "$figure" tables; scripts/collect.sh; main "$figure" draw ;;
     *) fail "usage: scripts/$figure.sh [runs [PART] | tables | draw]" 2 ;;
   esac
 }

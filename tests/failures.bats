@@ -205,9 +205,9 @@ fails() {
 
 # judge SED: judges the psi branch with its b. file changed
 judge() {
-  cp build/runs/psi/d.psi fort.9
-  sed -E "$1" build/runs/psi/b.psi >fort.7
-  awk -v expect="${2:-TR=1 closed=1}" -f scripts/auto.awk -f scripts/judge.awk fort.9 fort.7
+  cp build/runs/psi/d.psi d.run
+  sed -E "$1" build/runs/psi/b.psi >b.run
+  awk -v expect="${2:-TR=1 closed=1}" -f scripts/auto.awk -f scripts/judge.awk d.run b.run
 }
 
 @test "the judge passes a good run and finds what is wrong with others" {

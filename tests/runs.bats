@@ -315,7 +315,7 @@ start_slow() {
   setsid bash -c '. scripts/lib.sh; run "$@"' slow "$1" "${slow_run[@]}" >"$1.log" 2>&1 3>&- &
   pid=$!
   for tries in {1..200}; do
-    [ ! -s "build/runs/$1.part/fort.7" ] || return 0
+    [ ! -s "build/runs/$1.part/b.$1" ] || return 0
     sleep 0.02
   done
   echo "the run does not start after $tries looks: $(<"$1.log")"
