@@ -14,6 +14,15 @@
 #         of AUTO's differs from those of curves-LAYOUT: 1e-9 or so.  An extremum
 #         that AUTO's curves lack, or have beside these, ends with one line.
 
+# A short straight run across a Hopf point at speed V, which finds it as HB1.
+hopf_start() { # NAME LAYOUT V REACH [PARAMETER=VALUE ...]
+  local name=$1 layout=$2 settings
+  mapfile -t settings < <(awk -v V="$3" -v reach="$4" 'BEGIN {
+    printf "V=%.12g\nDS=%g\nDSMAX=%g\nUZSTOP={\x27V\x27: %.12g}\n", V - reach, reach / 4, reach / 4, V + reach }')
+  shift 4
+  run "$name" "$layout.straight" "$@" "${settings[@]}" -- HB=1 UZ=1 > /dev/null
+}
+
 # hopf_curves LAYOUT NAME [PARAMETER=VALUE ...]
 # A curve takes two runs: a short straight one across its starting point, which
 # finds the Hopf point there, then the curve, from edge to edge or once round.
@@ -29,16 +38,14 @@ hopf_curves() {
   use "build/bin/"{curves,scan}"-$layout" "build/tables/$name."{curves,extrema}
   while IFS=, read -r number _ _ c_d V way stop range step turns; do
     [ "$number" != curve ] || continue
-    mapfile -t settings < <(awk -v V="$V" -v range="$range" -v step="$step" -v way="$way" 'BEGIN {
+    mapfile -t settings < <(awk -v range="$range" -v step="$step" -v way="$way" 'BEGIN {
       # so near that no other Hopf point disturbs the search for this one
-      reach = range < 1 ? range / 1000 : 0.001
-      printf "V=%.12g\nDS=%g\nDSMAX=%g\nUZSTOP={\x27V\x27: %.12g}\n", V - reach, reach / 4, reach / 4, V + reach
-      printf "DS=%g\nDSMAX=%g\n", way * (step < 0.1 ? step / 10 : 0.01), step }')
-    run "$name.$number.start" "$layout.straight" "$@" c_d="$c_d" "${settings[@]:0:4}" -- HB=1 UZ=1 > /dev/null
+      printf "%g\nDS=%g\nDSMAX=%g\n", range < 1 ? range / 1000 : 0.001, way * (step < 0.1 ? step / 10 : 0.01), step }')
+    hopf_start "$name.$number.start" "$layout" "$V" "${settings[0]}" "$@" c_d="$c_d"
     stops="'V': [0.1, 200.0], 'c_d': [10.0, 8e4]"
     # AUTO is to put a point on each extremum of c_d
     at=$(awk '{ gsub(/:[^ ]*/, ""); gsub(/ /, ", "); print }' <<< "$turns")
-    run "$name.$number" "$layout.hopf" from="$name.$number.start" "$@" "${settings[@]:4}" \
+    run "$name.$number" "$layout.hopf" from="$name.$number.start" "$@" "${settings[@]:1}" \
       ILP=0 UZR="{${at:+'V': [$at]}}" UZSTOP="{$stops${stop:+, 'period': $stop}}" -- > /dev/null
   done < "build/tables/$name.curves"
   curves=$(($(wc -l < "build/tables/$name.curves") - 1))
