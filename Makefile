@@ -15,7 +15,7 @@ export MLG_BUILT = yes
 layouts := $(patsubst models/%.c,%,$(shell grep -l '^#include "plugin.h"' models/*.c))
 models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.exe) \
           $(layouts:%=build/bin/scan-%) $(layouts:%=build/bin/curves-%) build/bin/constants
-integrating := simulate
+integrating := simulate search
 sundials = -lsundials_cvode -lsundials_nvecserial
 libraries := build/lib/libmlg.a build/lib/libmlg.so
 goals := $(or $(MAKECMDGOALS),figures)
@@ -35,7 +35,7 @@ setup: build/auto.mk ## packages and AUTO only
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
-need_test_packages := test% check-scripts $(integrating) $(integrating:%=build/bin/%-%)
+need_test_packages := test% check-scripts certify% verify $(integrating) $(integrating:%=build/bin/%-%)
 auto_given := $(AUTO_DIR)
 ifneq ($(filter-out help clean distclean libmlg build/lib/% drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
@@ -164,6 +164,19 @@ docs/drawings/gear.svg: build/bin/gear
 docs/drawings/%.svg: build/bin/draw-%
 	@mkdir -p $(@D)
 	@$< > build/$(@F) && mv build/$(@F) $@
+
+# --- beyond the paper ----------------------------------------------------------
+regions := l1 l2 li1 li2
+
+.PHONY: certify certify-programs $(regions:%=certify.%)
+certify-programs: $(models) $(layouts:%=build/bin/search-%) $(layouts:%=build/bin/eigen-%)
+
+$(regions:%=certify.%): certify.%: certify-programs
+	@scripts/certify.sh runs $*
+
+certify: $(regions:%=certify.%) ## do oscillations reach into the zero-shimmy regions?
+	@scripts/certify.sh tables
+	@scripts/certify.sh draw
 
 # --- tests -----------------------------------------------------------------
 # One program for each tests/test_*.c; of test_layout.c one for each layout, and

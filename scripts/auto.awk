@@ -3,7 +3,8 @@
 #   point, type, label, stable (AUTO's sign of PT), value["column name"]
 # stable_count[point] is the number of stable eigenvalues or multipliers and
 # eigenvalues[point] the list "re im re im ..." of them, from d.
-# constant["IPS"], constant["ISW"], ... are the run's constants.
+# constant["IPS"], constant["ISW"], ... are the run's constants; left_out lists the
+# types of points it is not to look for (SP).
 #
 # A branch of orbits that closes on a second Hopf point shrinks to nothing
 # there.  AUTO then labels BP, or goes on along the zero solution, or turns and
@@ -39,6 +40,8 @@ $1 == "0" {
     sub(/ +$/, "")
     columns = int((length($0) - 19 + 18) / 19)
     for (k = 1; k <= columns; k++) column[k] = trim(substr($0, 20 + 19 * (k - 1), 19))
+  } else if (line ~ /^ *SP=/) {
+    left_out = line
   } else if (line !~ /[{'\[]/)
     while (match(line, /[A-Z]+ *= *[^ ]+/)) {
       entry = substr(line, RSTART, RLENGTH)

@@ -26,7 +26,7 @@ BEGIN { free = 1 } # the column of ICP(1)
 
 # the number of stable eigenvalues or multipliers, where AUTO counts them; at a
 # Hopf point, where orbits begin, it does not
-constant["ISW"] == 1 && constant["ISP"] > 0 {
+constant["ISW"] == 1 && constant["ISP"] > 0 && left_out !~ /TR0/ {
   count = stable_count[point]
   if (solutions > 2 && count != was_count && !bifurcation(type) && !bifurcation(was_type))
     fail(was_count " stable eigenvalues become " count " without a label between " column[free] " = " was_free " and " value[column[free]] " (try another DSMAX)")
