@@ -25,7 +25,7 @@ power(k) = k eq "1e30" ? "∞" : (e = strstrt(k, "e"), sprintf("%s·10^{%s}", k[
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size width,height font "DejaVu Sans,14" } \
   else { set terminal svg size width,height font "DejaVu Sans,16" }
-  set output sprintf("results/%s.%s", figure, ending)
+  set output picture(ending)
   set multiplot layout rows,columns margins left_margin,0.975,bottom_margin,top_margin spacing gap_x,gap_y
   do for [i = 1:words(panels)] {
     p = word(panels, i)

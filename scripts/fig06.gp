@@ -9,7 +9,7 @@ at(V, branch, y) = abs(column(4) - V) < 1e-6 && strcol(2) eq branch ? y : NaN
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1200,1350 font "DejaVu Sans,13" } \
   else { set terminal svg size 1000,1125 font "DejaVu Sans,13" }
-  set output sprintf("results/fig06.%s", ending)
+  set output picture(ending)
   set multiplot layout 3,2 margins 0.09,0.98,0.055,0.955 spacing 0.11,0.085
   set xrange [0:80]
   set xlabel "V (m/s)" offset 0,0.4

@@ -15,7 +15,7 @@ set style textbox opaque noborder fillcolor rgb "white" margins 0.6,0.4
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1200,900 font "DejaVu Sans,14" } \
   else { set terminal svg size 1200,900 font "DejaVu Sans,16" }
-  set output sprintf("results/fig07.%s", ending)
+  set output picture(ending)
   set multiplot
   do for [panel in "plane inset"] {
     if (panel eq "plane") {

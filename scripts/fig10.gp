@@ -10,7 +10,7 @@ stats curve("l2", "0", "meet") using 6 name "meet" nooutput
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1200,1000 font "DejaVu Sans,13" } \
   else { set terminal svg size 1200,1000 font "DejaVu Sans,14" }
-  set output sprintf("results/fig10.%s", ending)
+  set output picture(ending)
   set multiplot
   # (b) the boundary points over k_s
   set lmargin at screen 0.53; set rmargin at screen 0.98; set bmargin at screen 0.56; set tmargin at screen 0.95

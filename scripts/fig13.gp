@@ -8,7 +8,7 @@ best = "$2 > 140 && $2 < 150" # where the third psi region takes over: the large
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1300,1300 font "DejaVu Sans,13" } \
   else { set terminal svg size 1300,1300 font "DejaVu Sans,14" }
-  set output sprintf("results/fig13.%s", ending)
+  set output picture(ending)
   set multiplot
   # the legend, above all panels
   set label 11 "BP3" at screen 0.15,0.983 tc ls 13; set label 12 "BP1" at screen 0.25,0.983 tc ls 11

@@ -8,7 +8,7 @@ at(b) = sprintf("< awk -F, '$1==\"li2\" && $2==\"%s\"' results/widths.csv", b)
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1200,1150 font "DejaVu Sans,13" } \
   else { set terminal svg size 1200,1150 font "DejaVu Sans,14" }
-  set output sprintf("results/fig15.%s", ending)
+  set output picture(ending)
   set multiplot
   set lmargin at screen 0.08; set rmargin at screen 0.97; set tmargin at screen 0.955; set bmargin at screen 0.46
   set title "(a) zero-shimmy regions" offset 0,-0.6

@@ -13,6 +13,10 @@ export LC_ALL=C OMP_NUM_THREADS=1
 # Ends with one line on standard error; status 1: a run failed, 2: bad input.
 fail() { echo "$1" >&2; exit "${2:-1}"; }
 
+# So does any other command that fails, a full disk under it for one.
+set -E
+trap '[ $BASHPID != $$ ] || fail "${BASH_SOURCE[0]}:$LINENO: failed: ${BASH_COMMAND%%$'"'\n'"'*}"' ERR
+
 # The models and the constants checker, built when they are not up to date.
 # Under make they are, and asking again would only cost time.
 build() {
@@ -32,8 +36,8 @@ make_from() {
   uses=()
   sums=$(sha256sum "${@:3}")
   "$2"
-  { echo "$sums"; sha256sum "${!uses[@]}"; } | sort -u > "build/tables/$1.made.new"
-  mv "build/tables/$1.made.new" "build/tables/$1.made"
+  { echo "$sums"; sha256sum "${!uses[@]}"; } | sort -u > "build/tables/$1.made.$$"
+  mv "build/tables/$1.made.$$" "build/tables/$1.made"
 }
 
 declare -A uses=()
@@ -45,6 +49,18 @@ use() { # FILE...
 use_run() { # RUN...
   local run
   for run; do use "build/runs/$run/"{b,d}".$run"; done
+}
+
+# Whether there was room for all that AUTO wrote: on a full disk it leaves out the
+# rest, says nothing and goes on.  A run that AUTO ended itself, with its time in the
+# log, has a labelled point last in b.NAME, whole solutions in s.NAME (the first line
+# of each counts the others), and the time in d.NAME too, unless IID = 0 left that empty.
+is_whole() { # FOLDER NAME
+  [ -s "$1/auto.log" ] || return
+  grep -q 'Total Time' "$1/auto.log" || return 0
+  tail -n 1 "$1/b.$2" | awk '{ exit !($4 > 0) }' &&
+    awk 'left == 0 { left = $9; next } { left-- } END { exit left != 0 }' "$1/s.$2" &&
+    { [ ! -s "$1/d.$2" ] || grep -q 'Total Time' "$1/d.$2"; }
 }
 
 # run NAME CONSTANTS [from=RUN] [model=MODEL] [gear=FILE] [KEY=VALUE ...] -- [TYPE=COUNT ...]
@@ -104,6 +120,7 @@ run() {
   : >> "$work/b.$name"
   : >> "$work/d.$name"
   found=$(awk -v expect="$*" -v status="$status" -f scripts/auto.awk -f scripts/judge.awk "$work/d.$name" "$work/b.$name")
+  [ "$status" -ne 0 ] || is_whole "$work" "$name" || found="FAIL what AUTO wrote is cut short (is the disk full?)"
   case $found in FAIL\ * | *$'\n'FAIL\ *)
     # the models' own word first: a parameter that left its range
     { echo "$name ($file): $( { grep '^PAR(' "$work/auto.log" || true; grep '^FAIL ' <<< "$found" | sed 's/^FAIL //'; } | paste -sd ';')"
@@ -114,7 +131,7 @@ run() {
   mv "$work/fort.2" "$work/c.$name"
   echo "$stamp" > "$work/stamp"
   echo "layout=${base%%.*}" > "$work/origin"
-  [ ! -e "$dir" ] || rm -rf "$dir"
+  [ ! -e "$dir" ] || rm -rf "$dir/stamp" "$dir" # half removed it must not count as made
   mv "$work" "$dir"
   exec 9>&-
   printf '  %-28s %5d ms  %s\n' "$name" $(((${EPOCHREALTIME/./} - started) / 1000)) "$found"
@@ -163,8 +180,16 @@ replace() { # FILE: by FILE.new, unless they are the same
 }
 
 draw() {
-  use "results/$figure".{png,svg}
+  local picture=results/$figure
+  [ -s "$picture.csv" ] || fail "$figure: there is no $picture.csv to draw; scripts/$figure.sh tables makes it" 2
+  rm -f "$picture".{png,svg}.new
   LC_ALL=C.UTF-8 gnuplot -e "figure='$figure'" scripts/style.gp "scripts/$figure.gp"
+  # on a full disk gnuplot ends with status 0
+  if ! tail -c 12 "$picture.png.new" | grep -aq IEND || ! tail -c 12 "$picture.svg.new" | grep -q '</svg>'; then
+    fail "$figure: gnuplot wrote half a picture, $picture.png or .svg (is the disk full?); those before are kept"
+  fi
+  replace "$picture.png"
+  replace "$picture.svg"
   echo "  results/$figure.png"
 }
 

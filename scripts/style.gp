@@ -1,8 +1,10 @@
 # style.gp - one look for every figure; loaded before the figure's own file.
 # Lines: stable solid blue, unstable dashed red; Hopf curves red, torus curves
 # purple.  Points: Hopf filled red, torus open circle, double Hopf black.
-# Call with figure='figNN'; draws results/figNN.png and .svg.
+# Call with figure='figNN'; draws results/figNN.png.new and .svg.new, which draw of
+# lib.sh puts in place when they are whole.
 if (!exists("figure")) { print "style.gp: say which figure, as in gnuplot -e \"figure='fig06'\""; exit status 2 }
+picture(ending) = sprintf("results/%s.%s.new", figure, ending)
 set encoding utf8
 set datafile separator ","
 set style line 1 lc rgb "#1f4fd8" lw 2             # stable

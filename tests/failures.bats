@@ -236,6 +236,66 @@ judge() {
   done
 }
 
+# A full disk is played with ulimit -f: no file may grow beyond so many kB.
+@test "a disk that is full while AUTO writes" {
+  local file
+  cp build/models/l1.exe l1.exe
+  for file in b.full s.full d.full auto.log; do
+    printf '#!/bin/sh\n%s/l1.exe\nhead -c 4000 %s >part && cat part >%s\n' "$SCRATCH" $file $file >build/models/l1.exe
+    [ $file != auto.log ] || printf '#!/bin/sh\ntrue\n' >build/models/l1.exe
+    run auto_run full l1.straight --
+    cp l1.exe build/models/l1.exe
+    [ "$status" -eq 1 ]
+    [ "${lines[0]}" = "full (constants/c.l1.straight): what AUTO wrote is cut short (is the disk full?)" ]
+    [ ! -e build/runs/full ]
+  done
+}
+
+# full KB command...
+full() {
+  (trap '' XFSZ && ulimit -f "$1" && shift && "$@")
+}
+
+@test "a disk that is full while tables and pictures are written leaves the ones before" {
+  local kb step
+  scripts/fig06.sh
+  cp "$ROOT"/results/*.csv results
+  sha256sum results/* build/tables/*.csv >kept.sums
+  for kb in 2 8 32; do
+    rm -f build/tables/*.made
+    run -1 full $kb scripts/fig06.sh draw
+    [ "$output" = "fig06: gnuplot wrote half a picture, results/fig06.png or .svg (is the disk full?); those before are kept" ]
+    sha256sum --check --quiet kept.sums
+  done
+  for step in 'fig06.sh tables' collect.sh targets.sh summary.sh; do
+    rm -f build/tables/*.made
+    # shellcheck disable=SC2086 # a script and its argument
+    run -1 full 1 scripts/$step
+    [[ $output == *'File too large'*$'\n'*'lib.sh:'*': failed: '* || $output == *'File too large'*$'\n'*"${step% *}:"*': failed: '* ]]
+    sha256sum --check --quiet kept.sums
+  done
+  # and with room again all is as before
+  scripts/fig06.sh draw
+  sha256sum --check --quiet kept.sums
+  rm -r build/runs/fig06.* # other tests want none
+  rm -f results/*.new build/tables/*.new
+}
+
+@test "a picture without its table is not drawn" {
+  mkdir -p results
+  rm -f results/fig07.csv
+  refuses 'fig07: there is no results/fig07.csv to draw; scripts/fig07.sh tables makes it' scripts/fig07.sh draw
+}
+
+@test "the programs say that they cannot write" {
+  local program
+  for program in 'scan-l1 intervals' curves-l1 'constants constants/c.l1.straight'; do
+    # shellcheck disable=SC2086 # a program and its arguments
+    run -1 bash -c "build/bin/$program >/dev/full"
+    [ "$output" = "$(cut -d - -f 1 <<<"${program%% *}"): cannot write the output: No space left on device" ]
+  done
+}
+
 ## What was there before
 
 @test "a run that fails or is refused leaves the one before as it was" {
