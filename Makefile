@@ -17,6 +17,10 @@ models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.ex
           $(layouts:%=build/bin/scan-%) $(layouts:%=build/bin/curves-%) build/bin/constants
 integrating := simulate search
 sundials = -lsundials_cvode -lsundials_nvecserial
+runs := $(patsubst constants/c.l1.%,%,$(wildcard constants/c.l1.*))
+made_constants := $(filter-out $(patsubst constants/c.%,%,$(wildcard constants/c.*)),\
+                    $(foreach layout,$(layouts),$(runs:%=$(layout).%)))
+models += $(made_constants:%=build/constants/c.%)
 libraries := build/lib/libmlg.a build/lib/libmlg.so
 goals := $(or $(MAKECMDGOALS),figures)
 
@@ -82,9 +86,18 @@ build/bin/gear: scripts/gear.c Makefile
 	@mkdir -p $(@D)
 	@$(call compiled,$(CC) $(CFLAGS) $< -lm)
 
-build/bin/constants: scripts/constants.c Makefile
+build/bin/constants: scripts/constants.c build/lib/libmlg.a Makefile
 	@mkdir -p $(@D)
-	@$(call compiled,$(CC) $(CFLAGS) $< -lm)
+	@$(call compiled,$(CC) $(CFLAGS) $< build/lib/libmlg.a -lm)
+
+# the constants files a layout lacks in constants/: those of L2, else of L1
+define constants_rule
+build/constants/c.$(1): $(firstword $(wildcard constants/c.l2$(suffix $(1)) constants/c.l1$(suffix $(1)))) build/bin/constants
+	@mkdir -p $$(@D)
+	@{ echo "# $$<, made one for layout $(basename $(1)) by the Makefile"; \
+	  build/bin/constants $$< layout=$(basename $(1)); } > $$@.$$$$$$$$ && mv $$@.$$$$$$$$ $$@
+endef
+$(foreach file,$(made_constants),$(eval $(call constants_rule,$(file))))
 
 # --- libmlg: the right-hand sides as a C library, without AUTO ----------------
 library_cc = $(CC) $(CFLAGS) -fPIC -fvisibility=hidden -Imodels -Ibuild/lib -c
@@ -216,7 +229,7 @@ $(oracles): build/bin/eigen-%: tests/eigen.c models/%.c build/auto.mk Makefile
 	@$(call compiled,$(CC) $(CFLAGS) $(to_test_layout) $< -llapacke -llapack -lm)
 
 clean: ## the runs and the models; AUTO and its tarball stay
-	rm -rf build/runs build/tables build/models build/lib build/bin build/tests
+	rm -rf build/runs build/tables build/constants build/models build/lib build/bin build/tests
 
 distclean: ## everything that was built
 	rm -rf build

@@ -1,10 +1,11 @@
 /* constants - checks an AUTO constants file and hands over values
  *
- *   constants FILE [gear=FILE] [NAME=VALUE ...]
+ *   constants FILE [layout=LAYOUT] [gear=FILE] [NAME=VALUE ...]
  *
  * Prints FILE as AUTO reads it, one constant per line, with each NAME set to
  * VALUE: NAME is an AUTO constant (DS=-0.1) or a parameter (c_d=5e3, goes into
- * PAR).  gear=FILE sets all that the PAR of that file holds.
+ * PAR).  gear=FILE sets all that the PAR of that file holds.  layout=LAYOUT makes
+ * a file of another layout one of that layout.
  *
  * AUTO passes over many slips in silence.  Here an unknown constant, a name
  * that parnames or unames lacks, a parameter under a wrong slot or outside its
@@ -18,6 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../models/libmlg.h"
 #include "../models/mlg.h"
 #include "arguments.h"
 
@@ -372,13 +374,30 @@ static void check(const struct constants *c)
   }
 }
 
+/* Writes items as the dictionary key; a text among the values has its quotes. */
+static void set_dictionary(struct constants *c, const char *key, const struct items *items, int line)
+{
+  static char text[MAX_FILE];
+  size_t n = 1;
+  long number;
+
+  strcpy(text, "{");
+  for (int k = 0; k < items->n; k++) {
+    const struct item *it = &items->item[k];
+    const char *quote = is_integer(it->key, &number) ? "" : "'";
+
+    n += (size_t)snprintf(text + n, sizeof text - n, "%s%s%s%s: %s", k ? ", " : "", quote, it->key,
+                          quote, it->value);
+  }
+  snprintf(text + n, sizeof text - n, "}");
+  set(c, key, copy(text, strlen(text)), line);
+}
+
 /* Puts name: value into the dictionary PAR. */
 static void put_parameter(struct constants *c, const char *name, const char *value)
 {
   static struct items items;
-  static char text[MAX_FILE];
   const struct entry *e = get(c, "PAR");
-  size_t n = 1;
   int k = 0;
 
   items.n = 0;
@@ -393,12 +412,38 @@ static void put_parameter(struct constants *c, const char *name, const char *val
     items.n++;
   strcpy(items.item[k].key, name);
   strcpy(items.item[k].value, value);
-  strcpy(text, "{");
-  for (k = 0; k < items.n; k++)
-    n += (size_t)snprintf(text + n, sizeof text - n, "%s'%s': %s", k ? ", " : "",
-                          items.item[k].key, items.item[k].value);
-  snprintf(text + n, sizeof text - n, "}");
-  set(c, "PAR", copy(text, strlen(text)), e ? e->line : 0);
+  set_dictionary(c, "PAR", &items, e ? e->line : 0);
+}
+
+/* NDIM and unames of a layout.  In a Hopf curve's THU state 2 NDIM + 1 is omega^2
+ * of AUTO's extended system, which moves with NDIM. */
+static void set_layout(struct constants *c, const char *name)
+{
+  static struct items items;
+  static char number[16];
+  const int layout = libmlg_layout(name), n = libmlg_states(layout);
+  const struct entry *ndim = get(c, "NDIM"), *unames = get(c, "unames"), *thu = get(c, "THU");
+  long n_was, slot;
+
+  if (layout == LIBMLG_NONE)
+    bad_input(c->file, 0, "layout=%s: there is no models/%s.c", name, name);
+  if (!ndim || !is_integer(ndim->value, &n_was))
+    bad_input(c->file, ndim ? ndim->line : 0, "expected NDIM, the number of states of a layout");
+  if (thu) {
+    split(c, thu, &items);
+    for (int k = 0; k < items.n; k++)
+      if (is_integer(items.item[k].key, &slot) && slot == 2 * n_was + 1)
+        snprintf(items.item[k].key, sizeof items.item[k].key, "%d", 2 * n + 1);
+    set_dictionary(c, "THU", &items, thu->line);
+  }
+  items.n = n;
+  for (int k = 0; k < n; k++) {
+    snprintf(items.item[k].key, sizeof items.item[k].key, "%d", k + 1);
+    snprintf(items.item[k].value, sizeof items.item[k].value, "'%s'", libmlg_state_quantity(layout, k)->name);
+  }
+  set_dictionary(c, "unames", &items, unames ? unames->line : 0);
+  snprintf(number, sizeof number, "%d", n);
+  set(c, "NDIM", number, ndim->line);
 }
 
 static void set_gear(struct constants *c, const char *file)
@@ -425,26 +470,29 @@ int main(int argc, char *argv[])
   static struct constants c;
 
   if (argc < 2) {
-    fprintf(stderr, "usage: constants FILE [gear=FILE] [NAME=VALUE ...]\n");
+    fprintf(stderr, "usage: constants FILE [layout=LAYOUT] [gear=FILE] [NAME=VALUE ...]\n");
     return STATUS_BAD_INPUT;
   }
   parse(&c, argv[1]);
   for (int i = 2; i < argc; i++) {
     const char *equals = strchr(argv[i], '=');
     const char *name, *value, *end;
-    int lines = 0;
+    int lines = 0, is_text;
 
     if (!equals || equals == argv[i] || !equals[1])
       bad_input(argv[1], 0, "'%s': expected NAME=VALUE", argv[i]);
     name = copy(argv[i], (size_t)(equals - argv[i]));
     value = equals + 1;
     end = value_end(value, &lines);
-    if (strcmp(name, "gear") != 0 && !end)
+    is_text = strcmp(name, "gear") == 0 || strcmp(name, "layout") == 0;
+    if (!is_text && !end)
       bad_input(argv[1], 0, "%s: a bracket or quote is left open", name);
-    if (strcmp(name, "gear") != 0 && *end)
+    if (!is_text && *end)
       bad_input(argv[1], 0, "%s = %s is not a finite number", name, value);
     if (strcmp(name, "gear") == 0)
       set_gear(&c, value);
+    else if (strcmp(name, "layout") == 0)
+      set_layout(&c, value);
     else if (is_auto_constant(name, NULL))
       set(&c, name, value, 0);
     else if (find_parameter(name) || is_named(&c, "parnames", name))

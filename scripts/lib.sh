@@ -64,8 +64,9 @@ is_whole() { # FOLDER NAME
 }
 
 # run NAME CONSTANTS [from=RUN] [model=MODEL] [gear=FILE] [KEY=VALUE ...] -- [TYPE=COUNT ...]
-#   CONSTANTS   constants/c.CONSTANTS, or a file's path; its name begins with
-#               the layout (l1.straight runs build/models/l1.exe)
+#   CONSTANTS   constants/c.CONSTANTS, else the one in build/constants, or a file's
+#               path; its name begins with the layout (l1.straight runs
+#               build/models/l1.exe)
 #   model=MODEL build/models/MODEL.exe instead (li1.boundary)
 #   from=RUN    start from the solutions of that run (IRS says which one)
 #   KEY=VALUE   an AUTO constant or a parameter to hand over
@@ -84,12 +85,13 @@ run() {
     shift
   done
   [ $# -eq 0 ] || shift
+  build
+  [ -f "$file" ] || [ ! -f "build/$file" ] || file=build/$file # made for this layout
   case $constants in */*) file=$constants ;; esac
   base=${file##*/}; base=${base#c.}
   base=${model:-${base%%.*}}
   model=build/models/$base.exe
   [ -f "$file" ] || fail "$name: no constants file $file" 2
-  build
   [ -x "$model" ] || fail "$name: $file is for the layout '${base%%.*}', but there is no models/${base%%.*}.c" 2
   origin=${from:+build/runs/$from/s.$from}
   [ -d build/runs ] || mkdir -p build/runs

@@ -15,7 +15,7 @@ scratch() {
   cp -p "$ROOT"/tests/targets.csv tests
   cp -p "$ROOT"/build/models/*.exe build/models
   find "$ROOT/build/bin" -type f -exec cp -p -t build/bin {} +
-  cp -p "$ROOT/build/auto.mk" build
+  cp -rp "$ROOT"/build/{auto.mk,constants} build
   ln -s "$ROOT/build/auto" build/auto
 }
 
