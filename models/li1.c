@@ -24,16 +24,9 @@ enum { LAST_OF_GEAR = LAMBDA_R, DEVICE_STATES(MLG_NUMBERED) NDIM };
 /* Torque T_d, N m, that the device takes from the wheels, du[EPS] and du[DEPS]. */
 static inline double device(const double par[], const double u[], double du[])
 {
-  const double k_d = par[PAR_K_D], c_d = par[PAR_C_D], b = par[PAR_B];
   const double T_d = mlg_series(par[PAR_K_PSI], par[PAR_K_S]) * (u[PSI] - u[EPS]);
 
-  if (b > 0.) {
-    du[EPS] = u[DEPS];
-    du[DEPS] = (T_d - k_d * u[EPS] - c_d * u[DEPS]) / b;
-  } else {
-    du[EPS] = (T_d - k_d * u[EPS]) / mlg_damper(c_d);
-    du[DEPS] = MLG_FOLLOW * (du[EPS] - u[DEPS]);
-  }
+  mlg_spring_damper_inerter(T_d, par[PAR_K_D], par[PAR_C_D], par[PAR_B], &u[EPS], &du[EPS]);
   return T_d;
 }
 

@@ -23,18 +23,9 @@ enum { LAST_OF_GEAR = LAMBDA_R, DEVICE_STATES(MLG_NUMBERED) NDIM };
 /* Torque T_d, N m, that the device takes from the wheels, du[EPS] to du[DCHI]. */
 static inline double device(const double par[], const double u[], double du[])
 {
-  const double k_psi = par[PAR_K_PSI], k_s = par[PAR_K_S], b = par[PAR_B];
-  double T_d;
+  const double T_d = mlg_spring_inerter(par[PAR_K_PSI], u[PSI] - u[EPS], par[PAR_K_S], par[PAR_B],
+                                        &u[CHI], &du[CHI]);
 
-  if (b > 0. && k_s < MLG_RIGID) {
-    T_d = k_psi * (u[PSI] - u[EPS] - u[CHI]);
-    du[CHI] = u[DCHI];
-    du[DCHI] = (T_d - k_s * u[CHI]) / b;
-  } else {
-    T_d = mlg_series(k_psi, k_s) * (u[PSI] - u[EPS]);
-    du[CHI] = MLG_FOLLOW * (T_d / k_s - u[CHI]);
-    du[DCHI] = MLG_FOLLOW * (du[CHI] - u[DCHI]);
-  }
   du[EPS] = (T_d - par[PAR_K_D] * u[EPS]) / mlg_damper(par[PAR_C_D]);
   return T_d;
 }

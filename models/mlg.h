@@ -159,6 +159,43 @@ static inline double mlg_damper(double c_d)
   return fabs(c_d) < least ? least : c_d;
 }
 
+/* Two groups of elements that stand side by side, as states of a device: twist
+ * x[0], rad, and its rate x[1], rad/s.  Their rates go into dx. */
+
+/* Spring k, damper c and inerter b under the torque T = k x + c x' + b x''.  At
+ * b = 0 the second state only follows x'. */
+static inline void mlg_spring_damper_inerter(double T, double k, double c, double b,
+                                             const double x[], double dx[])
+{
+  if (b > 0.) {
+    dx[0] = x[1];
+    dx[1] = (T - k * x[0] - c * x[1]) / b;
+  } else {
+    dx[0] = (T - k * x[0]) / mlg_damper(c);
+    dx[1] = MLG_FOLLOW * (dx[0] - x[1]);
+  }
+}
+
+/* Spring k_s and inerter b in series with a spring k, over both the twist y: returns
+ * the torque T = k (y - x) = k_s x + b x''.  At b = 0 or with a rigid k_s there is no
+ * motion of its own, and the two states follow the twist of k_s. */
+static inline double mlg_spring_inerter(double k, double y, double k_s, double b,
+                                        const double x[], double dx[])
+{
+  double T;
+
+  if (b > 0. && k_s < MLG_RIGID) {
+    T = k * (y - x[0]);
+    dx[0] = x[1];
+    dx[1] = (T - k_s * x[0]) / b;
+  } else {
+    T = mlg_series(k, k_s) * y;
+    dx[0] = MLG_FOLLOW * (T / k_s - x[0]);
+    dx[1] = MLG_FOLLOW * (dx[0] - x[1]);
+  }
+  return T;
+}
+
 /* Self-aligning moment per vertical force, m (26). */
 static inline double mlg_self_aligning(const double par[], double lambda)
 {
