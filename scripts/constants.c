@@ -377,7 +377,7 @@ static void check(const struct constants *c)
 /* Writes items as the dictionary key; a text among the values has its quotes. */
 static void set_dictionary(struct constants *c, const char *key, const struct items *items, int line)
 {
-  static char text[MAX_FILE];
+  static char text[MAX_ITEMS * (sizeof(struct item) + 8)];
   size_t n = 1;
   long number;
 
