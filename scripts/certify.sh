@@ -106,6 +106,7 @@ certify_region() { # LAYOUT
   local k_s b c_lo c_hi list="build/runs/certify.$1.list" search="build/tables/search.$1.csv" stamp
   [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent certify-programs
   region "$1"
+  use "build/bin/"{scan,eigen,search}"-$1" "$search" "$list"
   hopf_curves "$1" "certify.$1.hopf" k_s="$k_s" b="$b"
   : > "$list.new"
   cycles_in_c_d "$1"
@@ -125,5 +126,106 @@ runs_l1() { certify_region l1; }
 runs_l2() { certify_region l2; }
 runs_li1() { certify_region li1; }
 runs_li2() { certify_region li2; }
-tables() { :; }
+# --- tables --------------------------------------------------------------------
+
+# The criticality of every point of the region's Hopf curves, as AUTO has them.
+criticality_rows() { # LAYOUT
+  local file files
+  files=$(awk -F, -v name="certify.$1.hopf" 'NR > 1 { printf "build/runs/%s.%s/b.%s.%s\n", name, $1, name, $1 }' \
+    "build/tables/certify.$1.hopf.curves")
+  for file in $files; do
+    use "$file"
+    awk -v k_s="$k_s" -v b="$b" -f scripts/auto.awk -f <(echo '
+      { printf "%.12g,%.12g,%s,%s\n", value["V"], value["c_d"], k_s, b }') "$file" \
+      | "build/bin/eigen-$1" criticality \
+      | awk -F, -v head="$1,$k_s,$b,${file##*.}" 'NR > 1 { printf "%s,%.6g,%.6g,%.6g,%.6g,%.6g\n", head, $1, $2, $3, $4, $5 }'
+  done
+}
+
+# Rows of a region's cycles, every sixth orbit and each fold.
+cycle_rows() { # LAYOUT
+  local name
+  while read -r name; do
+    use_run "$name"
+    awk -v head="$1,$k_s,$b,${name#certify.$1.}" -f scripts/auto.awk -f <(echo '
+      { shown = type == "LP" ? "LP" : ""; last = "" }
+      function text() { return sprintf("%s,%s,%.6g,%.8g,%.6g,%.6g,%d", head, shown, value["V"], value["c_d"], value["psi_max"], value["dstar_max"], stable) }
+      n++ % 6 == 0 || shown { print text(); next }
+      { last = text() }
+      END { if (last != "") print last }') "build/runs/$name/d.$name" "build/runs/$name/b.$name"
+  done < "build/runs/certify.$1.list"
+}
+
+fold_rows() { # LAYOUT
+  local half
+  for half in "up reverse" down; do
+    [ -f "build/runs/certify.$1.fold.${half% *}/b.certify.$1.fold.${half% *}" ] || continue
+    # shellcheck disable=SC2086 # one or two words
+    set -- "$1" $half
+    use_run "certify.$1.fold.$2"
+    awk -v reverse="${3:-}" -v head="$1,$k_s,$b" -f scripts/auto.awk -f <(echo '
+      { row[++n] = sprintf("%s,%.6g,%.8g,%.6g,%.6g", head, value["V"], value["c_d"], value["psi_max"], value["dstar_max"]) }
+      END { for (i = 1; i <= n; i++) print row[reverse ? n + 1 - i : i] }') \
+      "build/runs/certify.$1.fold.$2/b.certify.$1.fold.$2"
+  done
+}
+
+# The row of a region: what the tables and the search say of it.
+certified_row() { # LAYOUT
+  awk -F, -v layout="$1" -v k_s="$k_s" -v b="$b" -v c_lo="$c_lo" -v c_hi="$c_hi" '
+    FILENAME ~ /search/ {
+      if (FNR == 1) next
+      starts++
+      if ($3 > psi_start) psi_start = $3
+      if ($4 > dstar_start) dstar_start = $4
+      if ($10 != "falls") sustained++
+      if (rate == "" || $9 < rate) rate = $9
+      next
+    }
+    $1 != layout { next }
+    FILENAME ~ /criticality/ { hopf++; if (a == "" || $9 > a) a = $9; next }
+    FILENAME ~ /folds/ {
+      gap = $5 < c_lo ? c_lo / $5 : $5 / c_hi
+      if (nearest == "" || gap < nearest) { nearest = gap; fold_V = $4; fold_c = $5 }
+      next
+    }
+    { cycles++; if ($7 > c_lo && $7 < c_hi) inside++; if ($8 > psi) psi = $8; if ($9 > dstar) dstar = $9 }
+    END {
+      printf "%s,%s,%s,%s,%s,%d,%s,%d,%d,%s,%s,%s,%s,%d,%s,%s,%d,%s\n", layout, k_s, b, c_lo, c_hi, hopf, a,
+        cycles, inside, psi, dstar, fold_V, fold_c, starts, psi_start, dstar_start, sustained, rate
+    }' "build/tables/search.$1.csv" "$criticality.new" "$folds.new" "$cycles.new"
+}
+
+tables() {
+  local layout k_s b c_lo c_hi
+  local criticality=results/criticality.csv cycles=results/cycles.csv folds=results/folds.csv certified=results/certified.csv
+  printf '%s\n' "# Hopf points of the curves that bound the zero-shimmy regions. V m/s, c_d N m s/rad, a 1/s per rad^2 of psi:" \
+    "# r' = sigma r + a r^3 for the amplitude r of psi beside the point; a < 0 supercritical (tests/criticality.h)." \
+    layout,k_s,b,curve,V,c_d,frequency_hz,delta_over_psi,a > "$criticality.new"
+  printf '%s\n' "# Cycles that begin at these curves: along c_d at one speed (branch V8.1: the first Hopf point at 8 m/s), along V" \
+    "# below and above the interval. type LP: fold of cycles. V m/s, c_d N m s/rad, psi_max deg, dstar_max m; stable 1 or 0." \
+    layout,k_s,b,branch,type,V,c_d,psi_max,dstar_max,stable > "$cycles.new"
+  printf '%s\n' "# Folds of cycles in the plane of V (m/s) and c_d (N m s/rad), the fold nearest to each zero-shimmy interval followed" \
+    "# both ways; psi_max deg, dstar_max m." layout,k_s,b,V,c_d,psi_max,dstar_max > "$folds.new"
+  for layout in $layouts; do
+    [ -f "build/runs/certify.$layout.list" ] || fail "certify: the runs of $layout have not been made; scripts/certify.sh runs makes them"
+    region "$layout"
+    use "build/bin/"{scan,eigen}"-$layout" "build/runs/certify.$layout.list" "build/tables/search.$layout.csv"
+    criticality_rows "$layout" >> "$criticality.new"
+    cycle_rows "$layout" >> "$cycles.new"
+    fold_rows "$layout" >> "$folds.new"
+  done
+  printf '%s\n' "# Evidence for each zero-shimmy interval c_lo to c_hi (N m s/rad) beyond linear theory (docs/certification.md)." \
+    "# hopf_points on the bounding curves, a_largest their criticality; cycles computed, how many inside the interval," \
+    "# up to psi_max deg and dstar_max m; the nearest fold of cycles; starts inside, up to psi_start deg and dstar_start m" \
+    "# in their first 2 s; how many were sustained; rate_least: slowest fall of the size at the end, 1/s." \
+    layout,k_s,b,c_lo,c_hi,hopf_points,a_largest,cycles,cycles_inside,psi_max,dstar_max,fold_V,fold_c_d,starts,psi_start,dstar_start,sustained,rate_least \
+    > "$certified.new"
+  for layout in $layouts; do
+    region "$layout"
+    certified_row "$layout" >> "$certified.new"
+  done
+  for layout in "$criticality" "$cycles" "$folds" "$certified"; do replace "$layout"; done
+}
+
 main certify "$@"

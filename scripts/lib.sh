@@ -228,7 +228,7 @@ main() { # FIGURE [runs [PART] | tables | draw]
     draw)
       alone "$figure"
       if is_made "$figure.draw"; then return; fi
-      make_from "$figure.draw" draw scripts/*.{gp,awk} results/{fig*,boundary_points,widths}.csv ;;
+      make_from "$figure.draw" draw scripts/*.{gp,awk} results/*.csv ;;
     all) main "$figure" runs; main "$figure" tables; scripts/collect.sh; main "$figure" draw ;;
     *) fail "usage: scripts/$figure.sh [runs [PART] | tables | draw]" 2 ;;
   esac

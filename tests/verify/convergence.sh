@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# convergence.sh - the special orbits of Figure 6 on finer meshes
+#
+#   tests/verify/convergence.sh [short]
+#
+# The torus points and the solutions A and B with twice the mesh intervals, with seven
+# collocation points (AUTO's most) and tolerances a tenth; short: only the first.
+# ours: results/special_points.csv.  Tolerance: half a unit of the sixth digit, the
+# last one shown.
+# Needs:  the run fig06.a.straight, and makes it.
+# Prints: rows what,unit,ours,oracle,tolerance (no header)
+. "$(dirname "${BASH_SOURCE[0]}")/../../scripts/lib.sh"
+
+shown() { # RUN TYPE COLUMN
+  awk -F, -v run="$1" -v type="$2" -v column="$3" '$3 == run && $4 == type { print $column }' results/special_points.csv
+}
+
+found() { # RUN TYPE COLUMN [V]
+  awk -v type="$2" -v column="$3" -v V="${4:-}" -f scripts/auto.awk -f <(echo '
+    function of(name) { return name == "frequency_hz" ? 1 / value["period"] : value[name] }
+    (T = type_of_row()) == want && (V == "" || (value["V"] - V) ^ 2 < 1e-12) && !n++ { printf "%.10g", of(column) }
+    END { if (!n) print "nan" }
+    function type_of_row() { return type }
+    BEGIN { want = type }') "build/runs/$1/d.$1" "build/runs/$1/b.$1"
+}
+
+run fig06.a.straight l1.straight c_d=3.6e4 -- HB=4 >&2
+meshes="NTST=40"
+[ "${1:-}" = short ] || meshes="NTST=40 NCOL=7"
+for mesh in $meshes; do
+  for branch in psi:HB1:20:A delta:HB2:40:B; do
+    IFS=: read -r shimmy start V name <<< "$branch"
+    fine=verify.$shimmy.$mesh
+    run "$fine" l1.periodic from=fig06.a.straight IRS="'$start'" "$mesh" EPSL=1e-9 EPSU=1e-9 EPSS=1e-8 -- TR=1 closed=1 >&2
+    for quantity in V:5:m/s psi_max:10:deg dstar_max:11:m frequency_hz:9:Hz; do
+      IFS=: read -r column place unit <<< "$quantity"
+      echo "torus point on the $shimmy branch ($mesh): $column,$unit,$(shown "fig06.a.$shimmy" TR "$place"),$(found "$fine" TR "$column"),6e-7"
+      [ "$column" = V ] || echo "solution $name at V = $V ($mesh): $column,$unit,$(shown "fig06.a.$shimmy" UZ "$place"),$(found "$fine" UZ "$column" "$V"),6e-7"
+    done
+  done
+done
