@@ -133,7 +133,8 @@ parts_fig12 := b20_30 b70_100 b130_150
 parts_fig13 := low high widths
 parts_fig14 := b50 b100
 parts_fig15 := low high widths
-figures := fig06 fig07 fig09 fig10 fig12 fig13 fig14 fig15
+parts_filmstrip := orbits
+figures := fig06 fig07 fig09 fig10 fig12 fig13 fig14 fig15 filmstrip
 
 define figure_rules
 .PHONY: $(1) $(1).tables $(parts_$(1):%=$(1).%)
@@ -148,7 +149,7 @@ $(foreach figure,$(figures),$(eval $(call figure_rules,$(figure))))
 
 figures: $(figures) drawings
 fig07.hopf: fig06.a fig06.c
-fig07.torus_psi_up fig07.torus_psi_down fig07.torus_delta: fig06.a
+fig07.torus_psi_up fig07.torus_psi_down fig07.torus_delta filmstrip.orbits: fig06.a
 
 # its diagram (a) is one of Figure 9
 fig10: fig09.tables
@@ -166,6 +167,7 @@ fig12: ## Figure 12: Hopf curves for several k_s and b, layout LI1
 fig13: ## Figure 13: boundary points and largest width, layout LI1
 fig14: ## Figure 14: Hopf curves for several k_s and b, layout LI2
 fig15: ## Figure 15: zero-shimmy regions and largest width, layout LI2
+filmstrip: ## solutions A and B of Figure 6 over a period: the gear from above and behind
 
 # --- drawings of the gear and of each layout, docs/drawings ------------------
 drawings: $(layouts:%=docs/drawings/%.svg) docs/drawings/gear.svg ## docs/drawings: the gear and each layout's device
@@ -235,6 +237,6 @@ distclean: ## everything that was built
 	rm -rf build
 
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z0-9_-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^[a-z0-9_-]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' Makefile
 
 always:

@@ -17,7 +17,7 @@ do for [ending in "png svg"] {
     c_d = p eq "a" ? "3.6×10^4" : p eq "b" ? "5.0×10^3" : "2.0×10^3"
     do for [i=1:2] {
       set title sprintf("(%s%d)  c_d = %s N m s/rad", p, i, c_d) offset 0,-0.6
-      set ylabel i == 1 ? "max ψ (deg)" : "max δ* (mm)" offset 1.2,0
+      set ylabel i == 1 ? "max ψ (deg)" : "max δ* (mm)" offset 0,0
       s = i == 1 ? 1. : 1000.
       k = 4 + i
       top = i == 1 ? (p eq "a" ? 4.5 : p eq "b" ? 0.5 : 10) : (p eq "a" ? 15 : p eq "b" ? 12 : 1)

@@ -41,6 +41,8 @@ best() {
   awk -F, '$1 == "li1" && $6 > w { w = $6; b = $2 } END { print b }' results/widths.csv
 }
 
+layouts() { grep -l '^#include "plugin.h"' models/*.c | sed 's|.*/||; s|\.c$||'; }
+
 # picture NAME TITLE CAPTION SEE: results/NAME.png, what it is and what to see in it
 picture() {
   [ -f "results/$1.png" ] || fail "summary: there is no results/$1.png; its script's word draw makes it"
@@ -58,9 +60,33 @@ the tables beside this page. \`docs/runs.md\` says how they come about and what 
 columns are. Units are SI, psi in degrees; delta* = l_delta delta is the deflection of the
 strut's end in metres.
 
+- [The gear and its devices](#the-gear-and-its-devices)
+- [What shimmy is](#what-shimmy-is)
 - [Figures of the paper](#figures-of-the-paper)
 - [Paper against computed](#paper-against-computed)
 - [Where the paper's account differs](#where-the-papers-account-differs)
+
+## The gear and its devices
+
+![The gear from the right, from behind and from above](../docs/drawings/gear.svg)
+
+The strut hinges at B and bends sideways by delta; the wheels turn about it by psi. A device
+between strut and wheels is to keep both still. Its damping c_d is what the figures below
+vary, its stiffness k_s and inertance b what they optimise; k_psi stands for the torque
+links.
+
+| layout | device |
+|---|---|
+$(for layout in $(layouts); do echo "| ${layout^^} | ![${layout^^}](../docs/drawings/$layout.svg) |"; done)
+
+## What shimmy is
+
+TEXT
+  picture filmstrip "Psi-shimmy and delta-shimmy" \
+    "Solutions A and B of Figure 6 over one period, layout L1 at c_d = 3.6e4 N m s/rad: the angles over time, below them the gear at eight instants. Blue: where the tyres stand on the ground. The angles and the tyres' deflections are drawn larger by the factors in the picture." \
+    "In psi-shimmy the wheels turn about the strut, $(number %.2f special_points psi_max run=fig06.a.psi type=UZ) degrees to either side, $(number %.1f special_points frequency_hz run=fig06.a.psi type=UZ) times a second, and the strut hardly bends. In delta-shimmy the strut bends sideways by $(number %.4f special_points dstar_max run=fig06.a.delta type=UZ) m at its end, $(number %.1f special_points frequency_hz run=fig06.a.delta type=UZ) times a second, and the wheels hardly turn. Both feed on the tyres: these follow late, so their forces push the way the gear already moves."
+  cat <<TEXT
+![The same, moving](filmstrip.gif)
 
 ## Figures of the paper
 
