@@ -24,11 +24,16 @@ models += $(made_constants:%=build/constants/c.%)
 libraries := build/lib/libmlg.a build/lib/libmlg.so
 goals := $(or $(MAKECMDGOALS),figures)
 
-.PHONY: figures models libmlg collect drawings test test-programs check-scripts setup clean distclean help always
+.PHONY: figures page check-pages models libmlg collect drawings test test-programs check-scripts setup clean distclean help always
 
 figures: ## every figure and the table of paper against computed values
 	@scripts/targets.sh
 	@scripts/summary.sh
+	@scripts/page.sh
+
+page: ## the results as one page, build/results.html, from the tables that are there
+	@scripts/summary.sh
+	@scripts/page.sh
 
 models: $(models) ## the layouts as AUTO executables, build/models/*.exe
 
@@ -209,6 +214,10 @@ test: test-programs ## every test; tests/run.sh runs some of them
 test-programs: $(models) $(libraries) $(tests) $(layout_tests) $(oracles) \
                $(layouts:%=build/bin/draw-%) build/bin/gear \
                $(foreach tool,$(integrating),$(layouts:%=build/bin/$(tool)-%))
+
+check-pages: page ## the page in headless Chromium, at the widths of a phone and of a desk
+	@scripts/setup.sh pages
+	@bats tests/pages
 
 check-scripts: models ## shellcheck over every script and test
 	@tests/run.sh scripts

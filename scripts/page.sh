@@ -29,6 +29,7 @@ pictures=$(grep -o '<img src="[^"]*"' <<< "$body" | cut -d '"' -f 2 | sort -u)
 body { margin: 0 auto; padding: 1rem; max-width: 62rem; background: #fff; color: #1a1a1a;
        font: 1rem/1.55 system-ui, "DejaVu Sans", sans-serif; overflow-wrap: break-word; }
 p, li { max-width: 46rem; }
+p:has(img) { max-width: none; }
 h1, h2, h3 { line-height: 1.25; }
 h2 { margin-top: 3rem; border-bottom: 1px solid #ccc; padding-bottom: .3rem; }
 h3 { margin-top: 2.2rem; }

@@ -3,6 +3,7 @@
 #
 #   scripts/setup.sh            those for the figures
 #   scripts/setup.sh test       those for the figures and the tests
+#   scripts/setup.sh pages      those for the figures and make check-pages
 #
 # It looks for each thing itself, not for its package, so that a compiler or
 # a plotter that came another way will do, and says nothing if all is there.
@@ -21,6 +22,7 @@ figures    command   gfortran     gfortran         compiles AUTO, links the mode
 figures    header    stdlib.h     libc6-dev        the C library to compile with
 figures    command   make         make             builds and runs everything
 figures    terminal  pdfcairo     gnuplot-nox      draws the figures
+figures    command   cmark-gfm    cmark-gfm        the results as a page in HTML
 test       header    cmocka.h     libcmocka-dev    the tests in C
 test       header    lapacke.h    liblapacke-dev   eigenvalues to compare with
 test       header    cvode/cvode.h libsundials-dev  time integration
@@ -30,6 +32,8 @@ test       command   python3      python3          the Python interface of AUTO
 test       module    numpy        python3-numpy    the same, with arrays
 test       module    sympy        python3-sympy    the equations derived again
 test       command   git          git              is the tree clean after a run?
+pages      command   bats         bats             the test of that page
+pages      command   chromium     chromium         the browser it is tested in
 '
 
 say() {
@@ -85,8 +89,8 @@ install_packages() {
 main() {
   local job=${1:-figures} packages log
   case $#:$job in
-  [01]:figures | 1:test) ;;
-  *) say 'usage: scripts/setup.sh [figures|test]' && exit 2 ;;
+  [01]:figures | 1:test | 1:pages) ;;
+  *) say 'usage: scripts/setup.sh [figures|test|pages]' && exit 2 ;;
   esac
   packages=$(missing_packages "$job")
   [ -n "$packages" ] || return 0
