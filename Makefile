@@ -24,7 +24,7 @@ models += $(made_constants:%=build/constants/c.%)
 libraries := build/lib/libmlg.a build/lib/libmlg.so
 goals := $(or $(MAKECMDGOALS),figures)
 
-.PHONY: figures page check-pages models libmlg collect drawings test test-programs check-scripts setup clean distclean help always
+.PHONY: figures page check-pages models libmlg collect drawings test test-programs check-scripts setup bench clean distclean help always
 
 figures: ## every figure and the table of paper against computed values
 	@scripts/targets.sh
@@ -44,7 +44,7 @@ setup: build/auto.mk ## packages and AUTO only
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
-need_test_packages := test% check-scripts certify% verify $(integrating) $(integrating:%=build/bin/%-%)
+need_test_packages := bench test% check-scripts certify% verify $(integrating) $(integrating:%=build/bin/%-%)
 auto_given := $(AUTO_DIR)
 ifneq ($(filter-out help clean distclean libmlg build/lib/% drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
@@ -218,6 +218,15 @@ test-programs: $(models) $(libraries) $(tests) $(layout_tests) $(oracles) \
 check-pages: page ## the page in headless Chromium, at the widths of a phone and of a desk
 	@scripts/setup.sh pages
 	@bats tests/pages
+# Times beside others; tests/bench/bench.sh PART... makes some of them.
+benches := $(layouts:%=build/bench/rhs-%)
+
+bench: test-programs $(benches) ## times beside other tools and earlier states (docs/performance.md)
+	@tests/bench/bench.sh
+
+$(benches): build/bench/rhs-%: tests/bench/rhs.c models/%.c build/auto.mk Makefile
+	@mkdir -p $(@D)
+	@$(call compiled,$(CC) $(CFLAGS) $(to_test_layout) $< -lm)
 
 check-scripts: models ## shellcheck over every script and test
 	@tests/run.sh scripts
