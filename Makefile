@@ -161,6 +161,8 @@ fig10: fig09.tables
 
 # what the figures share, of those asked for
 asked := $(filter $(figures),$(goals))
+export MLG_ASKED := $(or $(asked),$(figures))
+export MLG_STARTED := $(shell date +%s)
 collect: $(addsuffix .tables,$(or $(asked),$(figures)))
 	@scripts/collect.sh
 

@@ -50,8 +50,7 @@ hopf_curves() {
   done < "build/tables/$name.curves"
   curves=$(($(wc -l < "build/tables/$name.curves") - 1))
   closed=$(grep -c ,closed, "build/tables/$name.curves" || true)
-  printf '  %-28s %5d ms  %s\n' "$name" $(((${EPOCHREALTIME/./} - started) / 1000)) \
-    "$curves curves, $closed closed"
+  report "$name" "$started" "$curves curves, $closed closed"
 }
 
 # The curves of NAME as rows PREFIX,curve,shimmy,type,V,c_d of the open table.

@@ -17,7 +17,7 @@ set style fill solid 1 border lc rgb "#000000"
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1300,1250 font "DejaVu Sans,13" } \
   else { set terminal svg size 1300,1250 font "DejaVu Sans,13" }
-  set output sprintf("results/filmstrip.%s", ending)
+  set output sprintf("results/filmstrip.%s.new", ending)
   set multiplot
   set label 1 sprintf("ψ is drawn %g times larger, δ* %g times, the tyres’ deflections %g times; blue: the tyres on the ground", turns, bends, shifts) at screen 0.5,0.017 center
   choice = "-v every=12 -v apart=1" # one metre of the gears' axis is an eighth of the period
@@ -55,7 +55,7 @@ do for [ending in "png svg"] {
 }
 
 set terminal gif animate delay 8 loop 0 size 480,440 font "DejaVu Sans,10"
-set output "results/filmstrip.gif"
+set output "results/filmstrip.gif.new"
 unset ylabel
 set xrange [-0.6:0.6]
 do for [k=0:92:4] {

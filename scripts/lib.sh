@@ -40,6 +40,36 @@ make_from() {
   mv "build/tables/$1.made.$$" "build/tables/$1.made"
 }
 
+# How far all that was asked for has come, said on a terminal with each run that is
+# made.  MLG_ASKED: the figures asked for; MLG_STARTED: when, s; both of make, or of
+# main.  results/versions.csv knows how many runs they took last time, and how long.
+[ -t 1 ] && terminal=yes || terminal=''
+
+passed() { # RUN...: made, or found made
+  [ -n "$terminal" ] && [ -n "${MLG_STARTED:-}" ] || return 0
+  [ -f "build/runs/passed.$MLG_STARTED" ] || rm -f build/runs/passed.*
+  printf '%s\n' "$@" >> "build/runs/passed.$MLG_STARTED"
+}
+
+progress() {
+  local jobs=1
+  [ -f "build/runs/passed.${MLG_STARTED:-}" ] || return 0
+  [[ ! ${MAKEFLAGS:-} =~ (^|\ )-j([0-9]*) ]] || jobs=${BASH_REMATCH[2]:-$(nproc)}
+  awk -F, -v asked=" $MLG_ASKED " -v elapsed=$((EPOCHSECONDS - MLG_STARTED)) -v jobs="$jobs" '
+    FILENAME == ARGV[1] { if (index(asked, " " $1 " ")) { runs += $2; seconds += $3 }; next }
+    !seen[$0]++ { n++ }
+    END {
+      printf "  [%d", n
+      if (n <= runs) printf " of %d runs, %d s of about %d s", runs, elapsed, elapsed + seconds * (1 - n / runs) / jobs
+      else printf " runs, %d s", elapsed
+      printf "]" }' <(cat results/versions.csv 2> /dev/null) "build/runs/passed.$MLG_STARTED"
+}
+
+# The line of a run, or of several as one
+report() { # NAME STARTED TEXT
+  printf '  %-28s %5d ms  %s%s\n' "$1" $(((${EPOCHREALTIME/./} - $2) / 1000)) "$3" "$(progress)"
+}
+
 declare -A uses=()
 use() { # FILE...
   local file
@@ -105,6 +135,7 @@ run() {
   [ -z "$from" ] || text+=$'\n'"s = '$from'"
   text+=$'\n'"sv = '$name'" # AUTO writes b.NAME, s.NAME and d.NAME itself
   use build/bin/constants "$dir/stamp"
+  passed "$name"
   stamp="$*"$'\n'$text$'\n'${inputs#*$'\n'} # another comment in the constants file is no change
   if [ -f "$dir/stamp" ] && [ "$(< "$dir/stamp")" = "$stamp" ]; then
     exec 9>&-
@@ -132,11 +163,11 @@ run() {
   esac
   mv "$work/fort.2" "$work/c.$name"
   echo "$stamp" > "$work/stamp"
-  echo "layout=${base%%.*}" > "$work/origin"
+  printf 'layout=%s\nfigure=%s\nms=%d\n' "${base%%.*}" "${figure:-}" $(((${EPOCHREALTIME/./} - started) / 1000)) > "$work/origin"
   [ ! -e "$dir" ] || rm -rf "$dir/stamp" "$dir" # half removed it must not count as made
   mv "$work" "$dir"
   exec 9>&-
-  printf '  %-28s %5d ms  %s\n' "$name" $(((${EPOCHREALTIME/./} - started) / 1000)) "$found"
+  report "$name" "$started" "$found"
 }
 
 # Tables.  begin_table FILE LINE... opens a table with these head lines, and the
@@ -172,8 +203,37 @@ shimmy_of() { # RUN
 }
 
 end_table() {
+  case $table in results/*) record ;; esac
   replace "$table"
   replace "$points_table"
+}
+
+# The figure's row of results/versions.csv: with what its runs were made, and the wall
+# time they took one after the other.  It is written with the table, so runs that find
+# the same table leave it as it is.
+record() {
+  local file=results/versions.csv
+  if cmp -s "$table.new" "$table" && grep -q "^$figure," "$file" 2> /dev/null; then return; fi
+  exec 7> build/tables/versions.lock
+  flock 7
+  {
+    echo "# With what the runs of a figure were made when its table last changed; seconds: wall time of its AUTO runs, one"
+    echo "# after the other, on a machine that may have had other work."
+    echo figure,runs,seconds,AUTO,cc,gfortran,libc,gnuplot,system,processor
+    {
+      grep -v -e '^#' -e '^figure,' -e "^$figure," "$file" 2> /dev/null || true
+      awk -F= -v figure="$figure" '
+        $1 == "figure" { ours = $2 == figure }
+        $1 == "ms" && ours { n++; ms += $2 }
+        END { printf "%s,%d,%.1f,", figure, n, ms / 1000 }' build/runs/*/origin
+      printf '%s,' "$(sed -n 's/^AUTO_VERSION = //p' build/auto.mk)" "$(cc -dumpfullversion)" \
+        "$(gfortran -dumpfullversion)" "$(getconf GNU_LIBC_VERSION)" \
+        "$(gnuplot --version | awk '{ print $2 "." $4 }')" "$(. /etc/os-release && echo "$NAME $VERSION_ID")"
+      uname -m
+    } | sort
+  } > "$file.new"
+  mv "$file.new" "$file"
+  exec 7>&-
 }
 
 replace() { # FILE: by FILE.new, unless they are the same
@@ -184,7 +244,7 @@ replace() { # FILE: by FILE.new, unless they are the same
 draw() {
   local picture=results/$figure
   [ -s "$picture.csv" ] || fail "$figure: there is no $picture.csv to draw; scripts/$figure.sh tables makes it" 2
-  rm -f "$picture".{png,svg}.new
+  rm -f "$picture".{png,svg,gif}.new
   LC_ALL=C.UTF-8 gnuplot -e "figure='$figure'" scripts/style.gp "scripts/$figure.gp"
   # on a full disk gnuplot ends with status 0
   if ! tail -c 12 "$picture.png.new" | grep -aq IEND || ! tail -c 12 "$picture.svg.new" | grep -q '</svg>'; then
@@ -192,6 +252,7 @@ draw() {
   fi
   replace "$picture.png"
   replace "$picture.svg"
+  [ ! -f "$picture.gif.new" ] || replace "$picture.gif"
   echo "  results/$figure.png"
 }
 
@@ -205,7 +266,8 @@ alone() { # NAME
 # What every figure script does with its arguments.
 main() { # FIGURE [runs [PART] | tables | draw]
   figure=$1
-  local part parts
+  local part parts made
+  export MLG_STARTED=${MLG_STARTED:-$EPOCHSECONDS} MLG_ASKED=${MLG_ASKED:-$figure}
   mapfile -t parts < <(declare -F | sed -n 's/^declare -f runs_//p')
   case ${2:-all} in
     runs)
@@ -216,7 +278,11 @@ main() { # FIGURE [runs [PART] | tables | draw]
       build
       mkdir -p build/tables
       for part in "${@:3}"; do
-        if is_made "$figure.$part"; then continue; fi
+        if is_made "$figure.$part"; then
+          mapfile -t made < <(sed -n 's|.* build/runs/\(.*\)/stamp$|\1|p' "build/tables/$figure.$part.made")
+          passed "${made[@]}"
+          continue
+        fi
         # said with the first run that is made
         announce="$figure: $part, part $(printf '%s\n' "${parts[@]}" | grep -nx "$part" | cut -d : -f 1) of ${#parts[@]}"
         make_from "$figure.$part" "runs_$part" scripts/*.{sh,awk}

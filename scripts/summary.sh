@@ -65,6 +65,7 @@ strut's end in metres.
 - [Figures of the paper](#figures-of-the-paper)
 - [Paper against computed](#paper-against-computed)
 - [Where the paper's account differs](#where-the-papers-account-differs)
+- [Versions and times](#versions-and-times)
 
 ## The gear and its devices
 
@@ -159,6 +160,17 @@ TEXT
   property of the gear: the width grows on, to $(number %.0f widths width layout=li2 b=200) N m s/rad at b = 200 and
   $(number %.0f widths width layout=li2 b=300) at b = 300, always limited by the onset of the delta region. At b = 140
   it is $(number %.1f widths width layout=li2 b=140), $(gain li2 140) % more than L2 (the paper's 87.2 % is about 1.91/1.02).
+
+## Versions and times
+
+With what the runs of each figure were made when its table last changed. Seconds are the
+wall time of its AUTO runs, one after the other, on a machine that may have had other work;
+drawing and comparing come on top. mlg-shimmy $(sed -n 's/^version: //p' CITATION.cff).
+
+$(awk -F, '
+  /^#/ { next }
+  { gsub(/,/, " | "); print "| " $0 " |" }
+  !n++ { gsub(/[^|]+/, "---"); print "|" $0 "|" }' results/versions.csv)
 TEXT
 } > results/README.md.new
 if grep -o 'MISSING(.*)' results/README.md.new >&2; then fail "summary: these cells are not in the tables"; fi
