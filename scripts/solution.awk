@@ -1,5 +1,5 @@
 # solution.awk - the rows of scripts/table.sh for one solution over time
-#   awk -v wanted=HB2 -f units.awk -f solution.awk -f auto.awk models/mlg.h b.RUN s.RUN
+#   awk -v wanted=HB2 -f units.awk -f solution.awk -f auto.awk models/mlg.h models/*.c b.RUN s.RUN
 # A solution in s. begins with a line of 16 numbers; of these 3 is the type, 4 the
 # label, 7 the number of rows, 8 the length of a row (time from 0 to 1, then the
 # states), 9 how many lines follow, 12 the number of parameters, which come last,

@@ -1,5 +1,5 @@
 # table.awk - the rows of scripts/table.sh for a branch
-#   awk [-v labelled=labels] -f units.awk -f auto.awk -f table.awk models/mlg.h d.RUN b.RUN
+#   awk [-v labelled=labels] -f units.awk -f auto.awk -f table.awk models/mlg.h models/*.c d.RUN b.RUN
 function head(    k, text) {
   text = "point,label,type,name,stable"
   for (k = 1; k <= columns; k++) text = text "," column[k]

@@ -1,24 +1,16 @@
 # units.awk - units of parameters, results and states by their names
-#   awk -f units.awk ... models/mlg.h ...
-# Parameters and results: from the tables of mlg.h.  States: the lambdas are
-# deflections in m, all others angles, and a d before one's name is its rate.
+#   awk -f units.awk ... models/mlg.h models/*.c ...
+# from the tables in these files, lines X(..., "name", "unit", ...
 BEGIN { unit["period"] = "s"; unit["torus_angle"] = "rad" }
 
-FILENAME ~ /\/mlg\.h$/ {
-  if ($0 ~ /^ *X\( *[0-9]/) { split($0, quoted, "\""); unit[quoted[2]] = quoted[4] }
+FILENAME ~ /models\/[^\/]*$/ {
+  if (/X\(.*, *"/) { split($0, quoted, "\""); unit[quoted[2]] = quoted[4] }
   next
 }
 
-function is_state(name,    k) {
-  for (k in state) if (state[k] == name) return 1
-  return 0
-}
-
 function unit_of(name) {
-  if (name in unit) return unit[name]
   sub(/^(MAX|MIN) /, "", name)
-  if (!is_state(name)) return ""
-  return name ~ /^lambda/ ? "m" : name ~ /^d/ && is_state(substr(name, 2)) ? "rad/s" : "rad"
+  return unit[name]
 }
 
 # "V m/s; c_d N m s/rad" of list[1] to list[n], as far as they have a unit
