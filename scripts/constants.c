@@ -335,12 +335,37 @@ static void check_name(const struct constants *c, const struct entry *e, const c
             kind == 'u' ? "unames" : "parnames");
 }
 
+/* The meaning of a result of models/mlg.h, or NULL. */
+static const char *result(const char *name)
+{
+  static const struct { const char *name, *meaning; } results[] = {
+#define X(slot, id, name, unit, meaning) { name, meaning },
+    MLG_RESULTS(X)
+#undef X
+  };
+
+  for (size_t i = 0; i < sizeof results / sizeof *results; i++)
+    if (strcmp(name, results[i].name) == 0)
+      return results[i].meaning;
+  return NULL;
+}
+
+/* The name of the parameter that text gives by its name or by its slot. */
+static const char *name_of(const char *text, const struct items *parnames)
+{
+  for (int i = 0; i < parnames->n; i++)
+    if (strcmp(parnames->item[i].key, text) == 0)
+      return parnames->item[i].value;
+  return text;
+}
+
 static void check(const struct constants *c)
 {
   static struct items parnames, unames, items;
   const struct entry *e;
   double x;
-  long ndim;
+  long ndim, isw;
+  const int curve = (e = get(c, "ISW")) && is_integer(e->value, &isw) && labs(isw) == 2;
 
   if ((e = get(c, "parnames"))) {
     split(c, e, &parnames);
@@ -366,10 +391,16 @@ static void check(const struct constants *c)
     split(c, e, &items);
     for (int k = 0; k < items.n; k++) {
       const struct item *it = &items.item[k];
+      const char *name = name_of(it->key[0] ? it->key : it->value, &parnames);
+      const int set = strcmp(e->key, "PAR") == 0;
+      const int continued = strcmp(e->key, "ICP") == 0 && k <= curve;
 
-      check_name(c, e, it->key[0] ? it->key : it->value, &parnames, &unames, names);
-      if (strcmp(e->key, "PAR") == 0)
-        check_value(c, e, it->key, it->value);
+      check_name(c, e, name, &parnames, &unames, names);
+      if ((set || continued) && result(name))
+        bad_input(c->file, e->line, "%s: %s is a result (%s); it cannot be %s", e->key, name,
+                  result(name), set ? "set" : "continued");
+      if (set)
+        check_value(c, e, name, it->value);
     }
   }
 }

@@ -143,6 +143,18 @@ fails() {
   refuses 'usage: scan *' build/bin/scan-l1 check 1e3 many
 }
 
+@test "a result taken for a parameter" {
+  refuses '*c.l1.straight*: PAR: F_z is a result (static load (M + m_D) g); it cannot be set' auto_run a l1.straight F_z=1e5 --
+  refuses "*c.l1.straight*: ICP: F_z is a result *; it cannot be continued" auto_run a l1.straight ICP="['F_z', 'V']" --
+  refuses "*c.l1.hopf*: ICP: psi_max is a result *; it cannot be continued" auto_run a l1.hopf from=straight ICP="['V', 'psi_max']" --
+  refuses "*c.l1.straight*: PAR: F_z is a result *" auto_run a l1.straight PAR="{36: 1e5}" --
+}
+
+@test "a parameter given by its slot" {
+  refuses '*c.l1.straight*: c_d = -1 N m s/rad is outside its range*' auto_run a l1.straight PAR="{1: 1.0, 2: -1}" --
+  auto_run slot l1.straight PAR="{1: 1.0, 2: 5e3}" -- HB=2
+}
+
 @test "values that are no finite numbers" {
   local value
   for value in nan NaN inf -inf 1e999 0x10 one 1,2 '1 2'; do
