@@ -524,10 +524,10 @@ int main(int argc, char *argv[])
       set_gear(&c, value);
     else if (strcmp(name, "layout") == 0)
       set_layout(&c, value);
+    else if (find_parameter(name) || is_named(&c, "parnames", name)) /* before AUTO's constant e */
+      put_parameter(&c, name, value);
     else if (is_auto_constant(name, NULL))
       set(&c, name, value, 0);
-    else if (find_parameter(name) || is_named(&c, "parnames", name))
-      put_parameter(&c, name, value);
     else
       bad_input(argv[1], 0, "'%s' is neither an AUTO constant nor a parameter (parnames, models/mlg.h)",
                 name);

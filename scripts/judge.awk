@@ -24,12 +24,22 @@ BEGIN { free = 1 } # the column of ICP(1)
   }
 }
 
+# Whether straight rolling has no eigenvalue near the imaginary axis there; on it
+# the count of stable ones is up to rounding.
+function clear_of_axis(point,    n, i, part) {
+  n = split(eigenvalues[point], part, " ")
+  for (i = 1; i < n; i += 2)
+    if (part[i] ^ 2 < 1e-12) return 0
+  return n > 0
+}
+
 # the number of stable eigenvalues or multipliers, where AUTO counts them; at a
-# Hopf point, where orbits begin, it does not
+# Hopf point, where orbits begin, it does not.  AUTO looks for no bifurcation in its
+# first step.
 constant["ISW"] == 1 && constant["ISP"] > 0 && left_out !~ /TR0/ {
   count = stable_count[point]
-  if (solutions > 2 && count != was_count && !bifurcation(type) && !bifurcation(was_type))
-    fail(was_count " stable eigenvalues become " count " without a label between " column[free] " = " was_free " and " value[column[free]] " (try another DSMAX)")
+  if ((solutions > 2 || (solutions == 2 && clear_of_axis(1))) && count != was_count && !bifurcation(type) && !bifurcation(was_type))
+    fail(was_count " stable eigenvalues become " count " without a label between " column[free] " = " was_free " and " value[column[free]] " (try another " (solutions == 2 ? "start" : "DSMAX") ")")
   was_count = count
 }
 

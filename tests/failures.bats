@@ -202,6 +202,10 @@ fails() {
   fails '*ended at EP: the steps (NMX) were used up*' few l1.periodic from=straight NMX=10 -- TR=0
 }
 
+@test "a Hopf point in the first step, where AUTO does not look" {
+  fails '7 stable eigenvalues become 5 without a label between V = 1.34*(try another start)*' first l1.straight V=13.4 -- HB=3
+}
+
 @test "points missing or too many" {
   fails 'expected 5 HB, found 4*' wrong l1.straight -- HB=5
   fails 'expected 3 HB, found 4*' wrong l1.straight -- HB=3

@@ -1,8 +1,10 @@
 # new-runs.bats - can users make runs and figures of their own, and read them?
 #
-# Tables of a branch and of a solution (scripts/table.sh), against AUTO's files.
+# Every parameter, fixed and continued by its name in every layout, against
+# eigenvalues; tables of a branch and of a solution (scripts/table.sh), against
+# AUTO's files.
 #
-# Needs   the models (make models)
+# Needs   the models and build/bin/eigen-LAYOUT (make test-programs)
 # Writes  build/tests/new-runs
 
 bats_require_minimum_version 1.5.0
@@ -24,6 +26,55 @@ cell() {
     /^#/ { next }
     !n++ { for (k = 1; k <= NF; k++) place[$k] = k; next }
     $place["name"] == name { print $place[column] }' "$1"
+}
+
+## Parameters
+
+layouts() {
+  grep -l '^#include "plugin.h"' models/*.c | sed 's|.*/||; s|\.c$||'
+}
+
+# Name and default of each parameter that is not on an axis; k_s and b as in a device
+parameters() {
+  awk -F'"' '/^#define MLG_RESULTS/ { exit }
+    /^ *X\( *[0-9]/ && $2 !~ /^(V|c_d|k_s|b|phi|M)$/ { split($5, x, ","); print $2, x[2] }
+    END { print "k_s", 1e6; print "b", 100; print "phi", 0.0524; print "M", 2e4 }' models/mlg.h
+}
+
+# oracle LAYOUT V NAME=VALUE...: the speed of the Hopf point near V, from eigenvalues
+oracle() {
+  "build/bin/eigen-$1" boundary free=V from="$(awk "BEGIN { print 0.98 * $2 }")" to="$(awk "BEGIN { print 1.02 * $2 }")" \
+    step="$(awk "BEGIN { print 0.004 * $2 }")" "${@:3}" | awk 'NR == 2 { print $1 }'
+}
+
+@test "every parameter can be fixed and continued by its name, in every layout" {
+  local layout case="c_d=3.6e4 k_s=1e6 b=100" name value at V n=0
+  for layout in $(layouts); do
+    # shellcheck disable=SC2016,SC2086 # a script of its own; words
+    parameters | bash -c '. scripts/lib.sh
+      layout=$1
+      run "every.$layout" "$layout.straight" "${@:2}" -- UZ=1
+      while read -r name value; do
+        ends=$(awk "BEGIN { print 0.9 * $value \", \" 1.1 * $value }")
+        run "every.$layout.$name" "$layout.hopf" from="every.$layout" ICP="[\"$name\", \"V\", \"period\"]" \
+          THL="{\"$name\": $(awk "BEGIN { print 1 / $value ^ 2 }")}" DS=0.02 DSMAX=0.05 \
+          UZSTOP="{\"$name\": [$ends], \"V\": [0.1, 200.0]}" -- UZ=1
+      done' every "$layout" $case
+    while read -r name value; do
+      V=$(value "every.$layout.$name" UZ V)
+      at=$(value "every.$layout.$name" UZ "$name")
+      awk "BEGIN { exit !(($at - $value) ^ 2 > (0.09 * $value) ^ 2) }"
+      # shellcheck disable=SC2086 # words
+      {
+        near "$V" "$(oracle "$layout" "$V" $case "$name=$at")" 1e-7 "V of $layout along $name"
+        auto_run fixed "$layout.straight" $case "$name=$at" V="$(awk "BEGIN { print 0.99 * $V }")" DS=0.01 \
+          UZSTOP="{'V': $(awk "BEGIN { print 1.01 * $V }")}" -- HB=1
+      }
+      near "$(value fixed HB V)" "$V" 1e-7 "V of $layout with another $name"
+      n=$((n + 1))
+    done < <(parameters)
+  done
+  [ "$n" -eq $((25 * $(layouts | wc -l))) ]
 }
 
 ## Tables
