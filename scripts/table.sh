@@ -36,7 +36,7 @@ files=("$folder/d.$name" "$folder/b.$name")
 [ -f "${files[0]}" ] || files[0]=/dev/null # one of AUTO's own, without @sv
 if [ $# -eq 3 ]; then
   awk -v wanted="$3" -f scripts/units.awk -f scripts/solution.awk -f scripts/auto.awk \
-    models/mlg.h models/*.c "${files[1]}" "$folder/s.$name"
+    models/mlg.h models/*.c "${files[1]}" "$folder/s.$name" || exit $?
 else
-  awk -v labelled="${2:-}" -f scripts/units.awk -f scripts/auto.awk -f scripts/table.awk models/mlg.h models/*.c "${files[@]}"
+  awk -v labelled="${2:-}" -f scripts/units.awk -f scripts/auto.awk -f scripts/table.awk models/mlg.h models/*.c "${files[@]}" || exit $?
 fi
