@@ -220,6 +220,7 @@ test-programs: $(models) $(libraries) $(tests) $(layout_tests) $(oracles) \
 check-pages: page ## the page in headless Chromium, at the widths of a phone and of a desk
 	@scripts/setup.sh pages
 	@bats tests/pages
+
 # Times beside others; tests/bench/bench.sh PART... makes some of them.
 benches := $(layouts:%=build/bench/rhs-%)
 
@@ -229,6 +230,10 @@ bench: test-programs $(benches) ## times beside other tools and earlier states (
 $(benches): build/bench/rhs-%: tests/bench/rhs.c models/%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@$(call compiled,$(CC) $(CFLAGS) $(to_test_layout) $< -lm)
+
+.PHONY: verify
+verify: test-programs ## AUTO's values against oracles that do without AUTO
+	@tests/verify.sh
 
 check-scripts: models ## shellcheck over every script and test
 	@tests/run.sh scripts

@@ -5,8 +5,7 @@
 #
 # The torus points and the solutions A and B with twice the mesh intervals, with seven
 # collocation points (AUTO's most) and tolerances a tenth; short: only the first.
-# ours: results/special_points.csv.  Tolerance: half a unit of the sixth digit, the
-# last one shown.
+# ours: results/special_points.csv, to be right to half a unit of the last digit shown.
 # Needs:  the run fig06.a.straight, and makes it.
 # Prints: rows what,unit,ours,oracle,tolerance (no header)
 . "$(dirname "${BASH_SOURCE[0]}")/../../scripts/lib.sh"
@@ -16,12 +15,17 @@ shown() { # RUN TYPE COLUMN
 }
 
 found() { # RUN TYPE COLUMN [V]
-  awk -v type="$2" -v column="$3" -v V="${4:-}" -f scripts/auto.awk -f <(echo '
-    function of(name) { return name == "frequency_hz" ? 1 / value["period"] : value[name] }
-    (T = type_of_row()) == want && (V == "" || (value["V"] - V) ^ 2 < 1e-12) && !n++ { printf "%.10g", of(column) }
-    END { if (!n) print "nan" }
-    function type_of_row() { return type }
-    BEGIN { want = type }') "build/runs/$1/d.$1" "build/runs/$1/b.$1"
+  awk -v wanted="$2" -v quantity="$3" -v V="${4:-}" -f scripts/auto.awk -f <(echo '
+    type == wanted && (V == "" || (value["V"] - V) ^ 2 < 1e-12) && !n++ {
+      printf "%.10g", quantity == "frequency_hz" ? 1 / value["period"] : value[quantity] }
+    END { if (!n) print "nan" }') "build/runs/$1/d.$1" "build/runs/$1/b.$1"
+}
+
+# row WHAT UNIT OURS ORACLE: to half a unit of the last digit of OURS
+row() {
+  awk -v row="$1,$2,$3,$4" -v ours="$3" -v unit="$2" 'BEGIN {
+    match(ours, /[.][0-9]*/)
+    printf "%s,%.2g %s\n", row, 0.501 * 10 ^ (1 - RLENGTH), unit }'
 }
 
 run fig06.a.straight l1.straight c_d=3.6e4 -- HB=4 >&2
@@ -34,8 +38,10 @@ for mesh in $meshes; do
     run "$fine" l1.periodic from=fig06.a.straight IRS="'$start'" "$mesh" EPSL=1e-9 EPSU=1e-9 EPSS=1e-8 -- TR=1 closed=1 >&2
     for quantity in V:5:m/s psi_max:10:deg dstar_max:11:m frequency_hz:9:Hz; do
       IFS=: read -r column place unit <<< "$quantity"
-      echo "torus point on the $shimmy branch ($mesh): $column,$unit,$(shown "fig06.a.$shimmy" TR "$place"),$(found "$fine" TR "$column"),6e-7"
-      [ "$column" = V ] || echo "solution $name at V = $V ($mesh): $column,$unit,$(shown "fig06.a.$shimmy" UZ "$place"),$(found "$fine" UZ "$column" "$V"),6e-7"
+      row "torus point on the $shimmy branch ($mesh): $column" "$unit" \
+        "$(shown "fig06.a.$shimmy" TR "$place")" "$(found "$fine" TR "$column")"
+      [ "$column" = V ] || row "solution $name at V = $V ($mesh): $column" "$unit" \
+        "$(shown "fig06.a.$shimmy" UZ "$place")" "$(found "$fine" UZ "$column" "$V")"
     done
   done
 done

@@ -45,7 +45,7 @@ drawn() { awk -v c="$1" 'BEGIN { exit !(c >= 100 && c <= 8e4) }'; } # C_D
 folds() {
   awk -v every="$every" 'NR % every == 0 || every == 1' > build/tests/verify/guesses
   [ -s build/tests/verify/guesses ] || return 0
-  awk -F, -v OFS=, '{ print; $3 *= 1 + 5e-9; $3 = sprintf("%.12g", $3); print }' build/tests/verify/guesses \
+  awk -F, -v OFS=, '{ print; $3 *= 1 + 5e-8; $3 = sprintf("%.12g", $3); print }' build/tests/verify/guesses \
     | build/bin/eigen-"$2" folds | sed 1d | paste -d, - - | paste -d, build/tests/verify/guesses - | awk -F, -v what="$1" '
     function size(x) { return x < 0 ? -x : x }
     { d = $6 == "" || $8 == "" ? 1 : size($2 / $6 - 1) - size($8 / $6 - 1); if (d > worst) worst = d }
