@@ -17,6 +17,7 @@ models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.ex
           $(layouts:%=build/bin/scan-%) $(layouts:%=build/bin/curves-%) build/bin/constants
 integrating := simulate search
 sundials = -lsundials_cvode -lsundials_nvecserial
+lapack = -llapacke -llapack
 runs := $(patsubst constants/c.l1.%,%,$(wildcard constants/c.l1.*))
 made_constants := $(filter-out $(patsubst constants/c.%,%,$(wildcard constants/c.*)),\
                     $(foreach layout,$(layouts),$(runs:%=$(layout).%)))
@@ -44,7 +45,7 @@ setup: build/auto.mk ## packages and AUTO only
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
-need_test_packages := bench test% check-scripts certify% verify $(integrating) $(integrating:%=build/bin/%-%)
+need_test_packages := bench test% check-scripts certify% verify damping% build/bin/damping-% $(integrating) $(integrating:%=build/bin/%-%)
 auto_given := $(AUTO_DIR)
 ifneq ($(filter-out help clean distclean libmlg build/lib/% drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
@@ -77,6 +78,9 @@ build/bin/$(1)-%: scripts/$(1).c models/%.c Makefile
 	@$$(call compiled,$$(CC) $$(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$$*.c"' $$< $(2) -lm)
 endef
 $(foreach tool,scan curves draw,$(eval $(call tool_rule,$(tool))))
+
+# the program on scripts/damping.h
+$(eval $(call tool_rule,damping,$(lapack)))
 
 # programs on scripts/integrate.h
 $(foreach tool,$(integrating),$(eval $(call tool_rule,$(tool),$(sundials))))
@@ -141,6 +145,10 @@ parts_fig15 := low high widths
 parts_filmstrip := orbits
 figures := fig06 fig07 fig09 fig10 fig12 fig13 fig14 fig15 filmstrip
 
+# beyond the paper, and not part of make figures
+parts_damping := planes search
+studies := damping
+
 define figure_rules
 .PHONY: $(1) $(1).tables $(parts_$(1):%=$(1).%)
 $(parts_$(1):%=$(1).%): $(1).%: $$(models)
@@ -150,7 +158,7 @@ $(1).tables: $(parts_$(1):%=$(1).%)
 $(1): collect
 	@scripts/$(1).sh draw
 endef
-$(foreach figure,$(figures),$(eval $(call figure_rules,$(figure))))
+$(foreach figure,$(figures) $(studies),$(eval $(call figure_rules,$(figure))))
 
 figures: $(figures) drawings
 fig07.hopf: fig06.a fig06.c
@@ -159,8 +167,10 @@ fig07.torus_psi_up fig07.torus_psi_down fig07.torus_delta filmstrip.orbits: fig0
 # its diagram (a) is one of Figure 9
 fig10: fig09.tables
 
+$(parts_damping:%=damping.%): $(layouts:%=build/bin/damping-%)
+
 # what the figures share, of those asked for
-asked := $(filter $(figures),$(goals))
+asked := $(filter $(figures) $(studies),$(goals))
 export MLG_ASKED := $(or $(asked),$(figures))
 export MLG_STARTED := $(shell date +%s)
 collect: $(addsuffix .tables,$(or $(asked),$(figures)))
@@ -175,6 +185,7 @@ fig13: ## Figure 13: boundary points and largest width, layout LI1
 fig14: ## Figure 14: Hopf curves for several k_s and b, layout LI2
 fig15: ## Figure 15: zero-shimmy regions and largest width, layout LI2
 filmstrip: ## solutions A and B of Figure 6 over a period: the gear from above and behind
+damping: ## least damping ratios of every layout, a minute or two (docs/damping.md)
 
 # --- drawings of the gear and of each layout, docs/drawings ------------------
 drawings: $(layouts:%=docs/drawings/%.svg) docs/drawings/gear.svg ## docs/drawings: the gear and each layout's device
@@ -214,7 +225,7 @@ test: test-programs ## every test; tests/run.sh runs some of them
 	@tests/run.sh
 
 test-programs: $(models) $(libraries) $(tests) $(layout_tests) $(oracles) \
-               $(layouts:%=build/bin/draw-%) build/bin/gear \
+               $(foreach tool,draw damping,$(layouts:%=build/bin/$(tool)-%)) build/bin/gear \
                $(foreach tool,$(integrating),$(layouts:%=build/bin/$(tool)-%))
 
 check-pages: page ## the page in headless Chromium, at the widths of a phone and of a desk
@@ -248,12 +259,12 @@ build/tests/integrate: with = $(sundials)
 $(layout_tests): build/tests/layout-%: tests/test_layout.c models/%.c build/lib/libmlg.a build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> $@"
-	@$(call compiled,$(CC) $(TEST_CFLAGS) $(to_test_layout) $< build/lib/libmlg.a -lcmocka -llapacke -llapack -lm)
+	@$(call compiled,$(CC) $(TEST_CFLAGS) $(to_test_layout) $< build/lib/libmlg.a -lcmocka $(lapack) -lm)
 
 $(oracles): build/bin/eigen-%: tests/eigen.c models/%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> $@"
-	@$(call compiled,$(CC) $(CFLAGS) $(to_test_layout) $< -llapacke -llapack -lm)
+	@$(call compiled,$(CC) $(CFLAGS) $(to_test_layout) $< $(lapack) -lm)
 
 clean: ## the runs and the models; AUTO and its tarball stay
 	rm -rf build/runs build/tables build/constants build/models build/lib build/bin build/tests

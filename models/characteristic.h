@@ -18,6 +18,8 @@
 
 #include <string.h>
 
+#define MLG_V_TOP 200. /* top of the operating range, m/s */
+
 /* F(s; V, c_d) = f[0][0] + f[1][0] V + f[0][1] c_d + f[1][1] V c_d */
 struct characteristic { struct poly f[2][2]; };
 
@@ -105,6 +107,23 @@ static inline struct jet jet(const struct characteristic *f, double _Complex s, 
     f10 + f11 * c,
     f01 + f11 * V,
   };
+}
+
+/* F at one (V, c_d) as a polynomial in s / (100 rad/s), which makes its coefficients
+ * of like size; degree: without leading ones that are rounding. */
+static inline struct poly characteristic_polynomial(const struct characteristic *f, double V,
+                                                    double c, int *degree)
+{
+  struct poly p = poly_sum(poly_sum(f->f[0][0], poly_scaled(f->f[1][0], V)),
+                           poly_sum(poly_scaled(f->f[0][1], c), poly_scaled(f->f[1][1], V * c)));
+  double unit = 1., largest = 0.;
+
+  for (int i = 0; i < POLY_TERMS; i++, unit *= 100.)
+    largest = fmax(largest, fabs(p.coefficient[i] *= unit));
+  *degree = POLY_TERMS - 1;
+  while (*degree > 0 && fabs(p.coefficient[*degree]) <= 1e-14 * largest)
+    --*degree;
+  return p;
 }
 
 /* The two Hopf points at one frequency omega, rad/s: V = -(a + b c)/(g + d c) is

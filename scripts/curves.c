@@ -32,7 +32,7 @@
 #include "arguments.h"
 
 /* the plane, m/s and N m s/rad: UZSTOP of constants/c.LAYOUT.hopf */
-static const double V_least = 0.1, V_most = 200., c_least = 10., c_most = 8e4;
+static const double V_least = 0.1, V_most = MLG_V_TOP, c_least = 10., c_most = 8e4;
 static const double f_least = 0.5, f_most = 40., f_step = 0.002; /* Hz */
 
 /* --- Hopf points at one frequency ------------------------------------------- */

@@ -241,7 +241,9 @@ replace() { # FILE: by FILE.new, unless they are the same
   if cmp -s "$1.new" "$1"; then rm "$1.new"; else mv "$1.new" "$1"; fi
 }
 
-draw() {
+draw() { picture; }
+
+picture() {
   local picture=results/$figure
   [ -s "$picture.csv" ] || fail "$figure: there is no $picture.csv to draw; scripts/$figure.sh tables makes it" 2
   rm -f "$picture".{png,svg,gif}.new

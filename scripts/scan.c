@@ -29,7 +29,7 @@
 #include "characteristic.h"
 #include "arguments.h"
 
-static const double V_top = 200.;              /* operating range, m/s */
+static const double V_top = MLG_V_TOP;
 static const double c_least = 10., c_most = 1e6; /* range of c_d looked at, N m s/rad */
 static const double f_least = 0.5, f_most = 40., f_step = 0.002; /* Hz; delta islands are 10 mHz wide */
 
@@ -272,16 +272,10 @@ static struct points boundary_points(const struct characteristic *f)
 /* Routh's test of F at one (V, c_d). */
 static int is_stable(const struct characteristic *f, double V, double c)
 {
-  struct poly p = poly_sum(poly_sum(f->f[0][0], poly_scaled(f->f[1][0], V)),
-                           poly_sum(poly_scaled(f->f[0][1], c), poly_scaled(f->f[1][1], V * c)));
   double row[2][POLY_TERMS] = { { 0. } };
-  int degree = POLY_TERMS - 1;
-  double largest = 0.;
+  int degree;
+  const struct poly p = characteristic_polynomial(f, V, c, &degree);
 
-  for (int i = 0; i < POLY_TERMS; i++) /* s in units of 100 rad/s */
-    largest = fmax(largest, fabs(p.coefficient[i] *= pow(100., i)));
-  while (degree > 0 && fabs(p.coefficient[degree]) <= 1e-14 * largest)
-    degree--;
   for (int i = 0; i <= degree; i++)
     row[i % 2][i / 2] = p.coefficient[degree - i];
   for (int k = 0; k < degree; k++) {

@@ -1,0 +1,131 @@
+#!/usr/bin/env bash
+# Least damping ratios of straight rolling, every layout (docs/damping.md)
+#
+#   scripts/damping.sh [runs [planes | search] | tables | draw]
+#
+# Needs:  damping-LAYOUT (scripts/damping.c), scan-LAYOUT, results/widths.csv
+# Writes: results/damping.csv, results/damping.png and .svg;
+#         build/tables/damping.*.csv, the maps of the picture
+# Expect: 2.7e-5 at best for L1, 9.6e-5 for L2, 1.7e-4 for LI1 and 7.9e-4 for LI2 at
+#         b = 140 N m s^2/rad, always lost in the delta mode.
+. "$(dirname "$0")/lib.sh"
+[ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent build/bin/damping-{l1,l2,li1,li2}
+
+stiffness=compliance=0:0.35 damper=c_d=100:4e4 # where the best damped gear is looked for
+
+# made NAME LAYOUT COMMAND...: the output of COMMAND as build/tables/damping.NAME.csv,
+# made again when the layout's programs, this script or results/widths.csv changed
+made() {
+  local file=build/tables/damping.$1.csv started=${EPOCHREALTIME/./}
+  use "$file" "build/bin/damping-$2"
+  if is_made "damping.$1.csv"; then return; fi
+  if [ -n "${announce:-}" ]; then echo "$announce" >&2; announce=''; fi
+  "${@:3}" > "$file.new"
+  mv "$file.new" "$file"
+  sha256sum "$file" build/bin/{damping,scan}-"$2" scripts/damping.sh results/widths.csv > "build/tables/damping.$1.csv.made"
+  printf '  %-28s %5d ms\n' "$1" $(((${EPOCHREALTIME/./} - started) / 1000))
+}
+
+# The gear whose interval the paper calls best, as "k_s b c_lo c_hi".
+paper() { # LAYOUT
+  case $1 in
+    l1) interval l1 1e30 0 ;;
+    l2) interval l2 7.86e5 0 ;;
+    li1) interval li1 6.38e5 140 ;;
+    li2) widest li2 | awk '$2 == 140' ;;
+  esac
+}
+
+interval() { # LAYOUT K_S B
+  "build/bin/scan-$1" intervals k_s="$2" b="$3" | awk -F, -v k_s="$2" -v b="$3" 'NR == 2 { print k_s, b, $1, $2 }'
+}
+
+# The widest interval over k_s at every second b of widths.csv.
+widest() { # LAYOUT
+  awk -F, -v layout="$1" '$1 == layout && $2 % 20 == 0 && $6 > 0 { print $3, $2, $4, $5 }' results/widths.csv
+}
+
+# Rows of results/damping.csv without t_5, from lines "k_s b c_lo c_hi": the best
+# damped c_d of each interval
+best_in_interval() { # LAYOUT CHOICE
+  local k_s b c_lo c_hi
+  while read -r k_s b c_lo c_hi; do
+    "build/bin/damping-$1" best k_s="$k_s" b="$b" c_d="$c_lo:$c_hi" \
+      | awk -v row="$1,$2,$b,$k_s" 'NR == 2 { print row "," $0 }'
+  done
+}
+
+# the same in the middle of the interval
+middle() { # LAYOUT CHOICE
+  local k_s b c_lo c_hi c_d
+  while read -r k_s b c_lo c_hi; do
+    c_d=$(awk -v lo="$c_lo" -v hi="$c_hi" 'BEGIN { printf "%.6g", (lo + hi) / 2 }')
+    "build/bin/damping-$1" k_s="$k_s" b="$b" c_d="$c_d" \
+      | awk -v row="$1,$2,$b,$k_s,$c_d" 'NR == 2 { print row "," $0 }'
+  done
+}
+
+# and at each b over c_d and k_s
+best_of_all() { # LAYOUT CHOICE B...
+  local b
+  for b in "${@:3}"; do
+    "build/bin/damping-$1" best "$stiffness" "$damper" b="$b" \
+      | awk -F, -v OFS=, -v row="$1,$2,$b" 'NR == 2 { k_s = sprintf("%.6g", 1e5 / $1); $1 = row "," k_s; print }'
+  done
+}
+
+plane() { # LAYOUT K_S B
+  "build/bin/damping-$1" k_s="$2" b="$3" c_d=100:8e4:160 V=0.5:200:160
+}
+
+runs_planes() {
+  made l1 l1 plane l1 1e30 0
+  made l1.c_d l1 build/bin/damping-l1 c_d=2700:3100:201
+  made l2 l2 plane l2 4.755e5 0
+  made li1 li1 plane li1 3.048e5 140
+  made li2 li2 plane li2 1.4047e6 140
+  made l2.k_s l2 build/bin/damping-l2 k_s=2.86e5:2e6:90 c_d=2e3:3e4:90
+  made li1.k_s li1 build/bin/damping-li1 b=140 k_s=2.86e5:2e6:90 c_d=2e3:3e4:90
+  made li2.k_s li2 build/bin/damping-li2 b=140 k_s=2.86e5:4e6:90 c_d=2e3:3e4:90
+}
+
+runs_search() {
+  local layout
+  for layout in l1 l2 li1 li2; do
+    made "$layout.middle" "$layout" middle "$layout" middle < <(paper "$layout")
+    made "$layout.paper" "$layout" best_in_interval "$layout" paper < <(paper "$layout")
+  done
+  made l2.best l2 best_of_all l2 best 0
+  for layout in li1 li2; do
+    made "$layout.widest" "$layout" best_in_interval "$layout" widest < <(widest "$layout")
+  done
+  made li1.best li1 best_of_all li1 best $(seq 0 20 180)
+  made li2.best li2 best_of_all li2 best $(seq 0 20 300)
+}
+
+tables() {
+  begin_table results/damping.csv \
+    "# The least damping ratio zeta = -Re(s)/|s| over V in 0..200 m/s. choice: middle of the paper's zero-shimmy interval of" \
+    "# c_d; paper, the best c_d in it; widest, the same at the k_s of the widest interval at that b; best, the best c_d and k_s" \
+    "# from 2.86e5 N m/rad on. b N m s^2/rad, k_s N m/rad (1e30: rigid), c_d N m s/rad; V m/s, frequency_hz Hz and shimmy of" \
+    "# that mode; t_5 s, the time in which it decays to 5 %." \
+    layout,choice,b,k_s,c_d,zeta,V,frequency_hz,shimmy,t_5
+  local layout choice
+  for layout in l1 l2 li1 li2; do
+    for choice in middle paper widest best; do
+      [ -f "build/tables/damping.$layout.$choice.csv" ] || continue
+      awk -F, -v OFS=, '{
+        t = log(20) * sqrt(1 - $6 ^ 2) / ($6 * 8 * atan2(1, 1) * $8)
+        print $1, $2, $3, $4, sprintf("%.5g,%.4g,%.4g,%.6g", $5, $6, $7, $8), $9, sprintf("%.4g", t) }' \
+        "build/tables/damping.$layout.$choice.csv" >> "$table.new"
+    done
+  done
+  end_table
+}
+
+draw() {
+  use results/damping.csv build/tables/damping.*.csv
+  picture
+}
+
+main damping "$@"

@@ -1,0 +1,146 @@
+# damping.bats - are the least damping ratios right?
+#
+# damping-LAYOUT (the roots of F, models/characteristic.h) against eigenvalues of the
+# full linearised equations (eigen-LAYOUT, tests/eigen.h) at random parameters, on
+# Hopf points, and against AUTO's boundary points of a damping ratio above 0.
+#
+# Needs   the models, build/bin/damping-*, eigen-* and scan-* (make test-programs)
+# Writes  build/tests/damping
+
+bats_require_minimum_version 1.5.0
+load scratch
+
+setup_file() {
+  scratch damping
+}
+
+setup() {
+  cd "$SCRATCH" || return
+}
+
+cell() { # COLUMN LAYOUT ARGUMENT...: of the only row of damping-LAYOUT
+  local column=$1 layout=$2
+  shift 2
+  "build/bin/damping-$layout" "$@" | awk -F, -v column="$column" '
+    NR == 1 { for (k = 1; k <= NF; k++) if ($k == column) place = k }
+    NR == 2 { print $place }'
+}
+
+# The least -Re(s)/|s| of the eigenvalues with an imaginary part
+by_eigenvalues() { # LAYOUT PARAMETER...
+  local layout=$1
+  shift
+  "build/bin/eigen-$layout" eigenvalues "$@" | awk 'NR > 1 && $2 > 0 {
+    zeta = -$1 / sqrt($1 ^ 2 + $2 ^ 2)
+    if (least == "" || zeta < least) least = zeta } END { printf "%.10g", least }'
+}
+
+@test "the least damping ratio is that of the eigenvalues at 80 random (layout, V, c_d, k_s, b)" {
+  local layout V c_d k_s b n=0
+  while read -r layout V c_d k_s b; do
+    n=$((n + 1))
+    near "$(cell zeta "$layout" V="$V" c_d="$c_d" k_s="$k_s" b="$b")" \
+      "$(by_eigenvalues "$layout" V="$V" c_d="$c_d" k_s="$k_s" b="$b")" 1e-7 "zeta of $layout V=$V c_d=$c_d k_s=$k_s b=$b"
+  done < <(awk 'BEGIN {
+    srand(1201)
+    split("l1 l2 li1 li2", layout, " ")
+    for (i = 0; i < 80; i++)
+      printf "%s %.6g %.6g %.6g %.6g\n", layout[i % 4 + 1], 0.2 + 199 * rand(), 200 * exp(6 * rand()), 3e5 * exp(3 * rand()), i % 4 < 2 ? 0 : 200 * rand() }')
+  [ "$n" -eq 80 ]
+}
+
+@test "a rigid k_s and b = 0 are regular" {
+  near "$(cell zeta l2 c_d=2900)" "$(cell zeta l1 c_d=2900)" 1e-9 "zeta of L2 with a rigid k_s"
+  near "$(cell zeta li1 c_d=5e3 k_s=7.86e5 b=0)" "$(cell zeta l2 c_d=5e3 k_s=7.86e5)" 1e-9 "zeta of LI1 without inerter"
+  near "$(cell zeta li2 c_d=5e3 k_s=7.86e5 b=0)" "$(cell zeta l2 c_d=5e3 k_s=7.86e5)" 1e-9 "zeta of LI2 without inerter"
+}
+
+@test "zeta is 0 on Hopf points and changes its sign there" {
+  local layout case V n=0
+  for case in "l1 c_d=3.6e4" "l2 c_d=2e4 k_s=9e5" "li1 c_d=2e4 k_s=6e5 b=100" "li2 c_d=3e4 k_s=1e6 b=50"; do
+    read -r layout case <<< "$case"
+    # shellcheck disable=SC2086 # one word for each parameter
+    while read -r V; do
+      n=$((n + 1))
+      { cell zeta "$layout" V="$V" $case
+        cell zeta "$layout" V="$(awk "BEGIN { print $V * 0.9999 }")" $case
+        cell zeta "$layout" V="$(awk "BEGIN { print $V * 1.0001 }")" $case; } | paste -sd ' ' \
+        | awk -v at="$layout $case V=$V" '{ if ($1 ^ 2 > 1e-20 || $2 * $3 >= 0) { print at ": " $0; exit 1 } }'
+    done < <("build/bin/eigen-$layout" boundary free=V from=1 to=200 step=0.5 $case \
+      | awk 'NR > 1 { print $1 }' | sed -n '1p; $p') # between them another mode may grow already
+  done
+  [ "$n" -ge 6 ]
+}
+
+@test "over all speeds it is 0 at both ends of a zero-shimmy interval, and above 0 inside" {
+  local c_lo c_hi
+  IFS=, read -r c_lo c_hi _ < <(build/bin/scan-li1 intervals k_s=6e5 b=140 | tail -n 1)
+  awk -v lo="$(cell zeta li1 k_s=6e5 b=140 c_d="$c_lo")" -v hi="$(cell zeta li1 k_s=6e5 b=140 c_d="$c_hi")" \
+    -v inside="$(cell zeta li1 k_s=6e5 b=140 c_d="$(awk "BEGIN { print sqrt($c_lo * $c_hi) }")")" 'BEGIN {
+    print lo, hi, inside
+    exit !(lo ^ 2 < 1e-18 && hi ^ 2 < 1e-18 && inside > 1e-6) }'
+}
+
+@test "over all speeds it is the least of 4000 speeds, refined" {
+  local case layout least
+  for case in "l1 c_d=2800" "l2 c_d=6253.7 k_s=475486" "li1 c_d=500 k_s=5e5 b=140" "li2 c_d=15289 k_s=1.4047e6 b=140"; do
+    read -r layout case <<< "$case"
+    # shellcheck disable=SC2086 # one word for each parameter
+    least=$("build/bin/damping-$layout" V=0.05:200:4000 $case | awk -F, 'NR == 2 || (NR > 1 && $2 < z) { z = $2 } END { printf "%.10g", z }')
+    # shellcheck disable=SC2086
+    awk -v least="$least" -v found="$(cell zeta "$layout" $case)" -v at="$layout $case" 'BEGIN {
+      print at, found, least
+      exit !(found <= least * (1 + 1e-9) && least - found < 1e-7) }'
+  done
+}
+
+# c_d at which AUTO's boundary point from scan-LAYOUT's point number N has that zeta
+auto_boundary() { # RUN LAYOUT N ZETA K_S B
+  auto_run "$1" boundary.point model="$2.boundary" b="$6" compliance="$(awk "BEGIN { print 1e5 / $5 }")" \
+    ICP="['zeta','V_1','c_1','f_1','ratio_1','compliance']" THL="{'zeta': 1e6}" DS=1e-4 DSMAX=2e-3 \
+    UZSTOP="{'zeta': $4}" U="$("build/bin/scan-$2" points k_s="$5" b="$6" | awk -F, -v n="$3" 'NR == n + 1 {
+      printf "{\x27omega_1\x27: %.12g, \x27speed_1\x27: %.12g, \x27logc_1\x27: %.12g}", $3 * 2 * atan2(0, -1) / 10, $2 / 10, log($1) / log(10) }')" \
+    -- UZ=1 > /dev/null
+  value "$1" UZ c_1
+}
+
+@test "AUTO's boundary of a damping ratio above 0 is where damping-LAYOUT finds it" {
+  local c_d
+  for n in 1 2; do # where psi- and delta-shimmy bound the interval
+    c_d=$(auto_boundary "l1.$n" l1 "$n" 1e-5 1e30 0)
+    near "$(cell zeta l1 c_d="$c_d")" 1e-5 1e-5 "zeta at c_d = $c_d"
+    near "$(cell V l1 c_d="$c_d")" "$(value "l1.$n" UZ V_1)" 1e-4 V
+  done
+}
+
+@test "best finds the peak where AUTO's boundaries of the same zeta meet" {
+  local zeta
+  zeta=$(cell zeta l1 best c_d=2754:3019)
+  near "$(auto_boundary low l1 1 "$zeta" 1e30 0)" "$(auto_boundary high l1 2 "$zeta" 1e30 0)" 1e-6 "c_d of the best damped L1"
+  near "$(cell c_d l1 best c_d=2754:3019)" "$(value low UZ c_1)" 1e-6 "c_d of the best damped L1"
+}
+
+@test "slips are refused in one line with status 2" {
+  local slip
+  while read -r slip; do
+    # shellcheck disable=SC2086 # one word for each argument
+    run --separate-stderr build/bin/damping-l1 $slip
+    # shellcheck disable=SC2154 # set by run
+    [ "$status" -eq 2 ] && [ "${#stderr_lines[@]}" -eq 1 ] || { echo "$slip: status $status, $stderr"; return 1; }
+  done <<'END'
+V=0
+V=0:200:10
+c_d=1:2
+c_d=2:1:10
+c_d=1:2:1
+c_d=1:2:3:4
+c_d=-1:2:3
+c_d=1:inf:3
+x=1:2:3
+:1:2
+c_d
+best
+best c_d=1:2:3
+k_s=1:2:2 c_d=1:2:2 b=0:1:2 V=1:2:2 l=1:2:2
+END
+}
