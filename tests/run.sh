@@ -11,7 +11,8 @@
 #
 # A line for each test as it ends, a failed one with all it had to say. A
 # program that crashes, hangs, says nothing or less than it announced has
-# failed too. The last line is "Tests: N passed, N failed[, N skipped]".
+# failed too. On a terminal each file that is begun says how far the tests are. The
+# last line is "Tests: N passed, N failed[, N skipped]".
 #
 # Exit    0 all passed, 1 some failed, 2 no such tests
 set -euo pipefail
@@ -20,6 +21,7 @@ export LC_ALL=C OMP_NUM_THREADS=1 CMOCKA_MESSAGE_OUTPUT=TAP
 
 readonly limit=${TEST_TIMEOUT:-600} # seconds for one file
 readonly counts=build/tests/counts
+readonly took=build/tests/took # seconds of the last run of every test
 
 all_names() { # the largest bats files first: they take longest
   local file
@@ -69,8 +71,18 @@ stop() {
   exit 130
 }
 
+# On a terminal: how many files have been begun, the time since the start, and the
+# time all will take if it is known.
+progress() { # BEGUN OF
+  local about=''
+  [ -t 1 ] || return 0
+  [ "$whole" = no ] || [ ! -f "$took" ] || about=" of about $(<"$took") s"
+  echo "  [file $1 of $2, $SECONDS s$about]"
+}
+
 main() {
-  local names name
+  local names name n=0 whole=no
+  [ $# -gt 0 ] || whole=yes
   names=$(chosen "$@")
   [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent test-programs
   export MLG_BUILT=yes
@@ -81,10 +93,13 @@ main() {
     while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do
       wait -n || true
     done
+    n=$((n + 1))
+    progress "$n" "$(wc -w <<<"$names")"
     echo "0 1 0 $name: ended before it was counted" >"$counts/$name"
     tap_of "$name" | awk -v name="$name" -v counts="$counts/$name" -f tests/tap.awk &
   done
   wait
+  [ "$whole" = no ] || echo "$SECONDS" >"$took"
   awk '
     { passed += $1; failed += $2; skipped += $3 }
     NF > 3 && !said++ { print "Failed:" }
