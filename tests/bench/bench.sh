@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # bench.sh - times of this project beside others, as make bench prints them
 #
-#   tests/bench/bench.sh [PART...]    model jacobian fortran xppaut python figures;
-#                                     all of them by default
+#   tests/bench/bench.sh [PART...]    model jacobian output blas mesh growth fortran
+#                                     xppaut python figures; all of them by default
 #   PAIRS=N                           pairs of a short measurement, 11 by default
 #   LONG_PAIRS=N                      pairs of whole reproductions, 3 by default
 #
 # Each row compares two commands.  They run in turn, ours first in every second
 # pair.  ours and other are the medians of the wall times in seconds, ratio is
 # the median over the pairs of other/ours, spread its least and largest value.
+# mesh and growth have single runs, and processor seconds.
 # Where both give the same numbers, these are compared first.
 #
 # Needs   the models; for its part each gfortran, xppaut, python3-numpy, valgrind,
@@ -129,6 +130,105 @@ jacobians() { # FOLDER CONSTANTS FROM [KEY=VALUE ...]: its own JAC | the other o
   done
 }
 
+# --- AUTO's side ---------------------------------------------------------------
+
+# Prepares the runs that the parts below vary: straight, psi, delta, hopf.
+runs_of_l1() {
+  local name
+  prepare straight l1.straight - c_d=3.6e4
+  auto_in straight build/models/l1.exe
+  prepare psi l1.periodic straight IRS="'HB1'"
+  prepare delta l1.periodic straight IRS="'HB2'"
+  prepare hopf l1.hopf straight IRS="'HB2'" DS=-0.1
+  for name in psi delta hopf; do auto_in $name build/models/l1.exe; done
+}
+
+part_output() {
+  local name setting
+  heading "AUTO's output (layout L1)"
+  runs_of_l1
+  for name in straight psi hopf; do
+    for setting in 'IID = 0' 'IID = 3' 'NPR = 1'; do
+      rm -rf "$bench/$name.other"
+      cp -r "$bench/$name" "$bench/$name.other"
+      echo "$setting" >> "$bench/$name.other/fort.2" # the last one counts
+      compare "$pairs" "$name as in its file | $setting" "auto_in $name build/models/l1.exe" "auto_in $name.other build/models/l1.exe"
+    done
+  done
+}
+
+part_blas() {
+  local file link=()
+  heading "linear algebra"
+  [ -e "$auto/lib/lapack.o" ] || { left_out "BLAS and LAPACK; $auto uses those of the system already"; return; }
+  for file in "$auto"/lib/*.o "$auto"/lib/libauto_c.a; do
+    case $file in */blas.o | */lapack.o) ;; *) link+=("$file") ;; esac
+  done
+  gfortran build/models/l1.o "${link[@]}" -llapack -lblas -o "$bench/blas.exe" 2> "$bench/err" ||
+    { left_out "BLAS and LAPACK; apt-get install liblapack-dev, or libopenblas-dev"; return; }
+  runs_of_l1
+  for name in straight psi hopf; do
+    compare "$pairs" "$name: AUTO's own | $(basename "$(realpath "$(ldd "$bench/blas.exe" | awk '/libblas/ { print $3 }')")")" \
+      "auto_in $name build/models/l1.exe" "auto_in $name $bench/blas.exe"
+  done
+}
+
+cpu() { # COMMAND: its processor seconds and largest memory, MB
+  if [ -x /usr/bin/time ]; then
+    /usr/bin/time -f '%U %S %M' -o "$bench/time" bash -c "$1" > "$bench/out" 2>&1
+    awk '{ printf "%.2f %.1f\n", $1 + $2, $3 / 1024 }' "$bench/time"
+  else
+    local TIMEFORMAT='%U %S'
+    { time bash -c "$1" > "$bench/out" 2>&1; } 2>&1 | awk '{ printf "%.2f -\n", $1 + $2 }'
+  fi
+}
+
+part_mesh() {
+  local mesh name seconds
+  printf '\n%-20s %8s %12s %12s %14s %14s\n' "orbits of Figure 6(a)" "cpu/s" "TR of psi" "psi_max, A" "TR of delta" "dstar_max, B"
+  runs_of_l1
+  for mesh in 10:4 15:3 15:4 15:5 20:4 30:4 40:4 80:4; do
+    prepare psi.mesh l1.periodic straight IRS="'HB1'" NTST="${mesh%:*}" NCOL="${mesh#*:}"
+    prepare delta.mesh l1.periodic straight IRS="'HB2'" NTST="${mesh%:*}" NCOL="${mesh#*:}"
+    seconds=$(for name in psi delta; do cpu "cd $bench/$name.mesh && ../../models/l1.exe"; done | awk '{ t += $1 } END { print t }')
+    printf 'NTST = %-3d NCOL = %d %8s %12s %12s %14s %14s\n' "${mesh%:*}" "${mesh#*:}" "$seconds" \
+      "$(values TR V psi.mesh)" "$(at_V 20 psi_max psi.mesh)" "$(values TR V delta.mesh)" "$(at_V 40 dstar_max delta.mesh)"
+  done
+}
+
+at_V() { # V COLUMN FOLDER: of the orbit asked for there
+  paste -d' ' <(values UZ V "$3") <(values UZ "$2" "$3") | awk -v at="$1" '($1 - at) ^ 2 < 1e-12 { print $2; exit }'
+}
+
+part_growth() {
+  local n cases
+  printf '\n%-40s %8s %10s\n' "growth" "cpu/s" "memory/MB"
+  runs_of_l1
+  for n in 20 40 80 160 320; do
+    prepare growth l1.periodic straight IRS="'HB1'" NTST="$n"
+    grown "orbits, psi branch, NTST = $n" "cd $bench/growth && ../../models/l1.exe"
+  done
+  our_tree
+  for n in 1 2 4 8; do
+    cases=$(seq -s ' ' 400000 20000 $((380000 + n * 20000)))
+    grown "Hopf curves of LI1, b = 70, number of k_s: $n" "cd $bench/ours && rm -rf build/runs &&
+      for k_s in $cases; do scripts/curves.sh li1 k\$k_s k_s=\$k_s b=70; done"
+    grown "boundary points of LI1, number of b: $n" "cd $bench/ours && rm -rf build/runs && . scripts/lib.sh && . scripts/boundary.sh &&
+      for b in $(seq -s ' ' 60 $((59 + n))); do boundary_curves li1 \$b; done"
+  done
+}
+
+grown() { # WHAT COMMAND
+  local seconds memory
+  read -r seconds memory < <(cpu "$2")
+  printf '%-46s %8s %10s\n' "$1" "$seconds" "$memory"
+}
+
+our_tree() { # a copy of this one with its models built
+  tree ours -
+  AUTO_DIR=$auto make -C "$bench/ours" models > "$bench/out"
+}
+
 # --- other tools ---------------------------------------------------------------
 
 part_fortran() {
@@ -208,13 +308,11 @@ reproduce() { # FOLDER JOBS
 }
 
 part_figures() {
-  local auto jobs ours
-  auto=$(realpath "$(sed -n 's/^AUTO_DIR = //p' build/auto.mk)")
+  local jobs ours
   jobs=$(getconf _NPROCESSORS_ONLN)
   ours="AUTO_DIR=$auto reproduce ours"
   heading "every figure and table"
-  tree ours -
-  AUTO_DIR=$auto make -C "$bench/ours" models > "$bench/out"
+  our_tree
   compare "$long_pairs" "make -j$jobs figures | make -j1 figures" "$ours $jobs" "$ours 1"
   compare "$long_pairs" "make figures, nothing changed | make -j1 figures" \
     "AUTO_DIR=$auto make -C $bench/ours figures" "$ours 1"
@@ -227,12 +325,13 @@ part_figures() {
     "$ours $jobs" "AUTO_DIR=$debian reproduce first 1"
 }
 
-parts=("$@")
-[ $# -gt 0 ] || parts=(model jacobian fortran xppaut python figures)
-for part in "${parts[@]}"; do
-  declare -F "part_$part" > /dev/null || fail "bench: no part '$part'; there are model jacobian fortran xppaut python figures" 2
+all=(model jacobian output blas mesh growth fortran xppaut python figures)
+[ $# -gt 0 ] || set -- "${all[@]}"
+for part; do
+  declare -F "part_$part" > /dev/null || fail "bench: no part '$part'; there are ${all[*]}" 2
 done
+auto=$(realpath "$(sed -n 's/^AUTO_DIR = //p' build/auto.mk)")
 mkdir -p "$bench"
 unset MAKEFLAGS MFLAGS MAKELEVEL
 echo "$(uname -m), $(getconf _NPROCESSORS_ONLN) processors, load $(cut -d' ' -f1 /proc/loadavg); $(gcc --version | head -n 1); AUTO-07p $(sed -n 's/^AUTO_VERSION = //p' build/auto.mk)"
-for part in "${parts[@]}"; do "part_$part"; done
+for part; do "part_$part"; done
