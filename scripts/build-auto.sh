@@ -59,7 +59,7 @@ stage() {
   if [ "$status" -ne 0 ]; then
     printf 'failed\n'
     tail -n 20 "$log" >&2
-    fail 1 "$name of AUTO-07p failed, $log ends as above"
+    fail 1 "$name of AUTO-07p failed, $log ends as above${hint:+; $hint}"
   fi
   printf '%3d s\n' $((SECONDS - start))
 }
@@ -93,15 +93,13 @@ fetch() {
     APT::Sandbox::User root Acquire::Languages none
   apt-get -q -c "$apt/conf" update || true
   cd "$apt/get"
-  if ! apt-get -q -c "$apt/conf" source --tar-only auto-07p; then
-    echo 'Where apt-get cannot do it: AUTO_TARBALL=file takes a tarball at hand.'
-    return 1
-  fi
+  apt-get -q -c "$apt/conf" source --tar-only auto-07p
   mv auto-07p_*.orig.tar.* ../../tarball
   rm -rf "$apt"
 }
 
 get_tarball() {
+  local hint='without a network give the tarball as AUTO_TARBALL=file'
   if [ -n "$tarball" ]; then
     cp -- "$tarball" "$tmp/tarball"
     mv "$tmp/tarball" "$kept"
@@ -113,7 +111,7 @@ get_tarball() {
   fi
   if ! sum_is_right "$kept"; then
     rm "$kept"
-    fail 2 "the tarball is not AUTO-07p $version and was thrown away, its sha256 sum is not $sha256"
+    fail 2 "the tarball is not AUTO-07p $version and was thrown away, its sha256 sum is not $sha256; the next run fetches it"
   fi
 }
 
@@ -205,7 +203,8 @@ main() {
   dir=$(absolute "${AUTO_DIR:-}")
   tarball=$(absolute "${AUTO_TARBALL:-}")
   cd -- "$(dirname -- "$(realpath -- "$0")")/.."
-  mkdir -p build
+  { mkdir -p build && [ -w build ]; } 2>/dev/null ||
+    fail 2 "nothing can be written to $PWD/build: copy the checkout to where you may write"
   exec 9>build/auto.lock
   flock -n 9 || { echo 'waiting for another build of AUTO-07p' && flock 9; }
   # Somebody who works with build/auto by hand has it in AUTO_DIR

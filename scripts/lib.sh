@@ -20,7 +20,7 @@ trap '[ $BASHPID != $$ ] || fail "${BASH_SOURCE[0]}:$LINENO: failed: ${BASH_COMM
 # The models and the constants checker, built when they are not up to date.
 # Under make they are, and asking again would only cost time.
 build() {
-  [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent models
+  [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent models || exit 1
   MLG_BUILT=yes
 }
 
