@@ -163,15 +163,15 @@ static inline double mlg_damper(double c_d)
  * x[0], rad, and its rate x[1], rad/s.  Their rates go into dx. */
 
 /* Spring k, damper c and inerter b under the torque T = k x + c x' + b x''.  At
- * b = 0 the second state only follows x'. */
+ * b = 0 the second state only follows x'; a rigid k holds x at 0. */
 static inline void mlg_spring_damper_inerter(double T, double k, double c, double b,
                                              const double x[], double dx[])
 {
-  if (b > 0.) {
+  if (b > 0. && k < MLG_RIGID) {
     dx[0] = x[1];
     dx[1] = (T - k * x[0] - c * x[1]) / b;
   } else {
-    dx[0] = (T - k * x[0]) / mlg_damper(c);
+    dx[0] = k < MLG_RIGID ? (T - k * x[0]) / mlg_damper(c) : -MLG_FOLLOW * x[0];
     dx[1] = MLG_FOLLOW * (dx[0] - x[1]);
   }
 }

@@ -3,9 +3,9 @@
  *   draw-LAYOUT
  *
  * Prints SVG.  What it draws is device_network() of the layout: the words of
- * network.h, which elsewhere make a stiffness, here make the tree to draw, and
- * every parameter holds its own slot as its value, so that the elements know
- * their names.  Wheels left, strut right; zigzag: spring, piston: damper, box
+ * network.h, which elsewhere make a stiffness, here make the tree to draw.  An
+ * element is called by the parameter it is written with, or else as it is written:
+ * par[PAR_K_S] is k_s, and c_s is c_s.  Wheels left, strut right; zigzag: spring, piston: damper, box
  * in a bracket: inerter.
  */
 #include <stdlib.h>
@@ -14,9 +14,9 @@
 
 enum kind { SPRING, DAMPER, INERTER, PARALLEL, SERIES };
 
-struct network { /* a group has its parts, an element its slot */
+struct network { /* a group has its parts, an element the text of its value */
   enum kind kind;
-  int slot;
+  const char *text;
   const struct network *a, *b;
 };
 
@@ -33,14 +33,18 @@ static const struct network *kept(struct network part)
 }
 
 #define MLG_NETWORK_H
-#define ELEMENT(word, KIND) \
-  static inline struct network word(double slot) { return (struct network){ .kind = KIND, .slot = (int)slot }; }
+#define spring(value) element_of(SPRING, value, #value)
+#define damper(value) element_of(DAMPER, value, #value)
+#define inerter(value) element_of(INERTER, value, #value)
+static inline struct network element_of(enum kind kind, double value, const char *text)
+{
+  (void)value;
+  return (struct network){ .kind = kind, .text = text };
+}
+
 #define GROUP(word, KIND) \
   static inline struct network word(struct network a, struct network b) \
   { return (struct network){ .kind = KIND, .a = kept(a), .b = kept(b) }; }
-ELEMENT(spring, SPRING)
-ELEMENT(damper, DAMPER)
-ELEMENT(inerter, INERTER)
 GROUP(parallel, PARALLEL)
 GROUP(series, SERIES)
 
@@ -85,14 +89,12 @@ static struct size size(const struct network *n)
   return (struct size){ element, above, below };
 }
 
-static const char *name(int slot)
+static const char *name(const char *text)
 {
-  switch (slot) {
-#define X(slot_, id, name, ...) case PAR_##id: return name;
-    MLG_PARAMETERS(X)
+#define X(slot, id, name, ...) if (strcmp(text, "par[PAR_" #id "]") == 0) return name;
+  MLG_PARAMETERS(X)
 #undef X
-  default: return "?";
-  }
+  return text;
 }
 
 /* One element on its line y between x and x + width. */
@@ -111,7 +113,7 @@ static void draw_element(const struct network *n, double x, double y, double wid
     svg_path("", "M%.1f %.1fh36v18h-36z", left, y - 9.);
     svg_path("", "M%.1f %.1fh34v28h-34", right - 34., y - 14.);
   }
-  svg_name(middle, y - 22., "middle", name(n->slot));
+  svg_name(middle, y - 22., "middle", name(n->text));
 }
 
 static void draw(const struct network *n, double x, double y, double width);
@@ -149,11 +151,9 @@ static void draw(const struct network *n, double x, double y, double width)
 int main(void)
 {
   const char layout[] = LAYOUT;
-  double par[36];
+  const double par[36] = { 0. };
   char title[80];
 
-  for (int slot = 0; slot < 36; slot++)
-    par[slot] = slot;
   const struct network device = device_network(par);
   const struct size s = size(&device);
   const double margin = 74., y = 12. + s.over, wall = margin + s.width;

@@ -1,6 +1,9 @@
 # layouts.bats - is a layout one file, and do its constants follow from it?
 #
-# Needs   the models (make models)
+# The template is added in a checkout of its own by the commands of docs/layouts.md,
+# as they stand there.
+#
+# Needs   the models and libmlg (make models libmlg)
 # Writes  build/tests/layouts
 
 bats_require_minimum_version 1.5.0
@@ -8,6 +11,8 @@ load scratch
 
 setup_file() {
   scratch layouts
+  cp -rp "$ROOT"/{docs,tests} .
+  cp -rp "$ROOT"/build/{models,lib,bin} build
 }
 
 setup() {
@@ -44,4 +49,42 @@ setup() {
   [ "$output" = "constants/c.l1.straight: layout=l9: there is no models/l9.c" ]
   run -2 build/bin/constants constants/gear.printed layout=l1
   [ "$output" = "constants/gear.printed: expected NDIM, the number of states of a layout" ]
+}
+
+## The guide
+
+# as_written BEGINNING: the block of docs/layouts.md whose first line begins so
+as_written() {
+  local block
+  block=$(awk -v begin="    $1" '
+    index($0, begin) == 1 { on = 1 }
+    on && !/^    / { exit }
+    on { print substr($0, 5) }' docs/layouts.md)
+  [ -n "$block" ] || { echo "docs/layouts.md has no '$1'" && return 1; }
+  bash -c "set -e; $block"
+}
+
+@test "the template is a layout after nothing but the commands of the guide" {
+  unset MLG_BUILT
+  AUTO_DIR=$(sed -n 's/^AUTO_DIR = //p' "$ROOT/build/auto.mk")
+  case $AUTO_DIR in /*) export AUTO_DIR ;; *) unset AUTO_DIR ;; esac
+  as_written 'cp docs/examples'
+  as_written 'make build/tests'
+  as_written 'build/bin/scan-mine' >output
+  near "$(awk -F, 'NR == 2 { print $2 }' output)" 1.99e6 2e-3 "k_s of the guide" # is that of the widest interval
+  [ "$(grep -c ',LP,' build/tables/plane.csv)" -ge 2 ]
+  as_written 'bash'
+  [ -s build/runs/mine.shimmy/b.mine.shimmy ]
+  as_written 'make drawings'
+  grep -q 'c<tspan[^>]*>s<' docs/drawings/mine.svg
+  as_written 'mkdir' >output
+  grep -q ' EP ' output
+}
+
+@test "no layout is longer than 40 lines without its comments" {
+  local file
+  for file in models/l*[0-9].c docs/examples/layout.c; do
+    grep -q '^#include "plugin.h"' "$file"
+    [ "$(gcc -fpreprocessed -dD -E -P "$file" | grep -vc '^ *$')" -lt 40 ] || { echo "$file" && return 1; }
+  done
 }
