@@ -63,6 +63,7 @@ strut's end in metres.
 - [The gear and its devices](#the-gear-and-its-devices)
 - [What shimmy is](#what-shimmy-is)
 - [Figures of the paper](#figures-of-the-paper)
+- [Beyond the paper](#beyond-the-paper)
 - [Paper against computed](#paper-against-computed)
 - [Where the paper's account differs](#where-the-papers-account-differs)
 - [Versions and times](#versions-and-times)
@@ -116,6 +117,13 @@ TEXT
   picture fig15 "Figure 15: the best k_s of layout LI2" \
     "(a) Zero-shimmy regions; vertical lines: the widest interval, where a delta region is born; (b) largest width over k_s." \
     "More inertance moves the region to stiffer springs and widens it: $(number %.1f widths width layout=li2 b=140) N m s/rad at b = 140, $(gain li2 140) % more than L2, and still growing at b = 300."
+  cat <<TEXT
+## Beyond the paper
+
+TEXT
+  picture damping "How well the shimmy-free gear is damped" \
+    "The least damping ratio zeta = -Re(s)/|s| of straight rolling. (a) Over V and c_d at the best k_s of each layout; (b) the least over V from 0 to 200 m/s, L1 over c_d, the others over k_s and c_d, with the widest interval; (c) the best over b, as zeta and at the widest interval." \
+    "A wide interval is no sign of good damping: where it is widest the delta region is about to be born, and the delta mode is damped by nearly nothing. The best c_d and k_s give $(number %.1e damping zeta layout=l1 choice=paper) with L1, $(number %.1e damping zeta layout=l2 choice=best) with L2, $(number %.1e damping zeta layout=li1 choice=best b=140) with LI1 and $(number %.1e damping zeta layout=li2 choice=best b=140) with LI2 at b = 140 N m s^2/rad."
   cat <<TEXT
 ## Paper against computed
 
