@@ -244,6 +244,42 @@ refuses() {
   [ ! -e "$kept" ]
 }
 
+@test "no network: the fetch fails, and the tarball one may give is named" {
+  checkout
+  # a proxy that refuses; apt has no other way out
+  printf 'Acquire::%s::Proxy "http://127.0.0.1:9";\n' http https >conf
+  printf 'Acquire::Retries "0";\n' >>conf
+  APT_CONFIG=$PWD/conf run -1 checkout/scripts/build-auto.sh
+  [[ ${lines[-1]} == 'build-auto: fetch of AUTO-07p failed, '*'without a network give the tarball as AUTO_TARBALL=file' ]]
+  [ ! -e checkout/build/auto ]
+  [ ! -e checkout/build/auto.tmp ]
+  [ ! -e "checkout/build/${TARBALL##*/}" ]
+}
+
+@test "half a tarball is thrown away, given or kept" {
+  local kept=checkout/build/${TARBALL##*/}
+  [ -e "$TARBALL" ] || skip "no tarball in build/"
+  checkout
+  mkdir checkout/build
+  head -c 100000 "$TARBALL" >half.tar.gz
+  AUTO_TARBALL=half.tar.gz refuses '*half.tar.gz is not AUTO-07p*' checkout/scripts/build-auto.sh
+  cp half.tar.gz "$kept"
+  refuses '*thrown away*; the next run fetches it' checkout/scripts/build-auto.sh
+  [ ! -e "$kept" ]
+}
+
+@test "a checkout that cannot be written to is refused" {
+  local as=()
+  if [ "$(id -u)" -eq 0 ]; then
+    as=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+    "${as[@]}" test -x . || skip "another user cannot reach this checkout"
+  fi
+  checkout
+  chmod a-w checkout
+  refuses '*nothing can be written to */checkout/build: copy the checkout*' "${as[@]}" checkout/scripts/build-auto.sh
+  chmod u+w checkout
+}
+
 @test "an AUTO_DIR without AUTO is refused" {
   checkout
   AUTO_DIR=. refuses '*AUTO_DIR=* holds no AUTO-07p that is built*' \

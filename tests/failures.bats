@@ -348,6 +348,67 @@ full() {
   done
 }
 
+@test "a run stopped by Ctrl-C, or killed, and started again" {
+  local signal pid
+  for signal in INT KILL; do
+    rm -rf build/runs/stopped.* build/tables/*
+    setsid env --default-signal=INT bash -c '. scripts/lib.sh
+      run stopped.straight l1.straight -- HB=4
+      run stopped.psi l1.periodic from=stopped.straight -- TR=1 closed=1' >stopped 2>&1 3>&- &
+    pid=$!
+    until [ -e build/runs/stopped.psi.part ]; do
+      kill -0 $pid
+      sleep 0.02
+    done
+    kill -$signal -- -$pid
+    run ! wait $pid
+    [ ! -e build/runs/stopped.psi ]
+    run -0 auto_run stopped.straight l1.straight -- HB=4
+    [ -z "$output" ] # made before
+    run -0 auto_run stopped.psi l1.periodic from=stopped.straight -- TR=1 closed=1
+    [ "${#lines[@]}" -eq 1 ]
+    [ ! -e build/runs/stopped.psi.part ]
+    cmp <(tail -n +20 build/runs/psi/b.psi) <(tail -n +20 build/runs/stopped.psi/b.stopped.psi)
+  done
+}
+
+@test "two scripts at once in one tree" {
+  local pid
+  rm -rf build/runs/fig06.* build/tables/* results
+  scripts/fig06.sh >one 2>&1 3>&- &
+  pid=$!
+  scripts/fig06.sh >two 2>&1
+  wait $pid
+  cmp results/fig06.csv "$ROOT/results/fig06.csv"
+  [ "$(cat one two | grep -c ' ms ')" -eq 7 ] # each run by one of them
+  [ -z "$(find build/runs build/tables results -name '*.new' -o -name '*.part')" ]
+  rm -r build/runs/fig06.* # other tests want none
+}
+
+@test "two makes at once in one tree; a header that changed" {
+  local pid made=(build/bin/constants build/bin/scan-l1)
+  rm "${made[@]}"
+  made_by_make --silent "${made[@]}" >one 2>&1 3>&- &
+  pid=$!
+  made_by_make --silent "${made[@]}"
+  wait $pid
+  [ -z "$(find build/bin -name '*.[0-9]*')" ]
+  touch models/mlg.h
+  made_by_make --silent "${made[@]}"
+  [ build/bin/constants -nt models/mlg.h ]
+  [ build/bin/scan-l1 -nt models/mlg.h ]
+}
+
+@test "a checkout under a path with blanks" {
+  mkdir -p 'a b'
+  cp -r scripts models constants 'a b'
+  mkdir -p 'a b/build/models' 'a b/build/bin'
+  cp build/models/l1.exe 'a b/build/models'
+  cp build/bin/constants 'a b/build/bin'
+  (cd / && bash -c '. "$1/scripts/lib.sh"; run slice l1.straight -- HB=4' run "$SCRATCH/a b")
+  [ -e 'a b/build/runs/slice/stamp' ]
+}
+
 @test "the shimmy of a region is not guessed when its orbits are missing" {
   scripts/fig06.sh runs
   scripts/fig07.sh runs hopf
