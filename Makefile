@@ -258,6 +258,7 @@ $(tests): build/tests/%: tests/test_%.c build/auto.mk Makefile
 	@$(call compiled,$(CC) $(TEST_CFLAGS) $(to_test) $< -lcmocka $(with) -lm)
 
 build/tests/integrate: with = $(sundials)
+build/tests/criticality: with = -llapacke -llapack
 
 $(layout_tests): build/tests/layout-%: tests/test_layout.c models/%.c build/lib/libmlg.a build/auto.mk Makefile
 	@mkdir -p $(@D)

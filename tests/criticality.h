@@ -12,10 +12,12 @@
  * A q = i omega q, p its left vector, <p, q> = 1; B and C the second and third
  * derivatives of func(), by central differences of eighth order and more.
  *
- * Include it after eigen.h.
+ * Include it after a layout file.
  */
 #ifndef CRITICALITY_H
 #define CRITICALITY_H
+
+#include "eigen.h"
 
 /* At 1 to 5 steps on either side: the sum is even for the second derivative,
  * odd for the third; func() is 0 at 0. */
@@ -27,12 +29,16 @@ static inline void derivative_along(const double par[], const double v[], int or
 {
   double ahead[NDIM], behind[NDIM], u[NDIM], h = HUGE_VAL;
 
-  /* a hundredth of what bends the tyre's laws, atan(7 lambda / l), and the angles */
-  for (int i = 0; i < NDIM; i++)
-    if (i != DDELTA && i != DPSI && v[i] != 0. && (i < GEAR_STATES))
-      h = fmin(h, (i == LAMBDA_L || i == LAMBDA_R ? par[PAR_L] / 7. : 1.) / 100. / fabs(v[i]));
+  /* a hundredth of what bends the tyre's laws, atan(7 lambda / l), and the angles, and
+   * of the rates that go with those; the device alone is linear */
+  for (int i = 0; i < GEAR_STATES; i++) {
+    const double bend = i == LAMBDA_L || i == LAMBDA_R ? par[PAR_L] / 7. : i == DDELTA || i == DPSI ? 100. : 1.;
+
+    if (v[i] != 0.)
+      h = fmin(h, bend / 100. / fabs(v[i]));
+  }
   memset(out, 0, NDIM * sizeof *out);
-  if (h > 1e300) /* the device alone is linear */
+  if (h > 1e300)
     return;
   for (int k = 5; k > 0; k--) {
     for (int i = 0; i < NDIM; i++)

@@ -5,7 +5,6 @@
  */
 #include LAYOUT
 
-#include "eigen.h"
 #include "criticality.h"
 #include "arguments.h"
 
