@@ -8,7 +8,7 @@
 # For the zero-shimmy interval of each layout at the paper's k_s and b:
 #   - the criticality of every Hopf point of the curves that bound it
 #   - the cycles (periodic solutions) that begin at these curves, along c_d at nine
-#     speeds, and along V just outside the interval, up to 20 degrees of psi
+#     speeds, and along V just outside the interval, up to 15 degrees of psi
 #   - the folds of these cycles in the (V, c_d) plane
 #   - what becomes of large disturbances inside the interval, by time integration
 # Needs:  SUNDIALS and LAPACK, which make certify sees to.

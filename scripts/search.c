@@ -22,7 +22,7 @@
 #include "arguments.h"
 #include "integrate.h"
 
-static const double psi_0 = 15. * MLG_PI / 180.; /* rad; the largest cycles reach 20 degrees */
+static const double psi_0 = 15. * MLG_PI / 180.; /* rad; the cycles followed end at 15 degrees */
 static const double dstar_0 = 0.03;              /* m; the largest cycles reach 0.013 */
 static const double window = 2., step = 1e-3;    /* s */
 static const double seconds = 30.;               /* of one start */
