@@ -17,6 +17,8 @@ static inline void right_hand_side(const double par[], const double u[], double 
   mlg_gear(par, u, device(par, u, f), f);
 }
 
+#include "derivatives.h"
+
 #ifndef MLG_NO_AUTO
 #ifdef MLG_BOUNDARY
 #include "boundary.h"
@@ -51,43 +53,20 @@ static int usable(const double par[])
   return 1;
 }
 
-/* dfdu[j * NDIM + i] = d f_i / d u_j by differences of fourth order, exact to
- * about 1e-11; AUTO's own reach 1e-9.  A torus curve needs that: AUTO differences
- * this matrix once more there, with a step of 1e-7. */
-static void jacobian(const double par[], const double u[], double dfdu[])
-{
-  const double h = 1e-4; /* rad, rad/s, m: small against every scale of the gear */
-  double v[NDIM], near[2][NDIM], far[2][NDIM];
-
-  memcpy(v, u, sizeof v);
-  for (int j = 0; j < NDIM; j++) {
-    for (int side = 0; side < 2; side++) {
-      v[j] = u[j] + (side ? h : -h);
-      right_hand_side(par, v, near[side]);
-      v[j] = u[j] + (side ? 2. * h : -2. * h);
-      right_hand_side(par, v, far[side]);
-    }
-    v[j] = u[j];
-    for (int i = 0; i < NDIM; i++)
-      dfdu[j * NDIM + i] = (8. * (near[1][i] - near[0][i]) - (far[1][i] - far[0][i])) / (12. * h);
-  }
-}
-
-/* Right-hand side and, for JAC=-1, its derivatives with respect to the states
- * (AUTO's FUNC); those with respect to parameters are left to AUTO.  Where a
- * parameter is unusable the rates are so large that AUTO tries a shorter step (it
- * takes NaN for converged), and ends with MX when that does not help. */
+/* Right-hand side and its derivatives (AUTO's FUNC, JAC = 1); those by parameters
+ * at ijac = 2 only, AUTO has no room for them at 1.  Where a parameter is unusable
+ * the rates are so large that AUTO tries a shorter step (it takes NaN for
+ * converged), and ends with MX when that does not help. */
 int func(integer ndim, const doublereal *u, const integer *icp, const doublereal *par,
          integer ijac, doublereal *f, doublereal *dfdu, doublereal *dfdp)
 {
-  (void)icp, (void)dfdp;
-  if (usable(par))
-    right_hand_side(par, u, f);
-  else
+  (void)icp;
+  right_hand_side(par, u, f);
+  if (ijac != 0)
+    derivatives(par, u, f, dfdu, ijac == 2 ? dfdp : NULL);
+  if (!usable(par))
     for (integer i = 0; i < ndim; i++)
       f[i] = 1e30;
-  if (ijac != 0)
-    jacobian(par, u, dfdu);
   return 0;
 }
 
