@@ -1,18 +1,14 @@
 /* derivatives.h - those of a layout's right-hand side by states and parameters
  *
- * The gear's come from jacobian.h.  The device needs none of its own: it is linear
+ * The gear's come from jacobian.h.  A device needs nothing of its own: it is linear
  * in psi, psi' and its states, so that its columns are its values at unit vectors,
- * and by its few parameters it is differenced.
+ * and by its parameters, those that the gear does not depend on, it is differenced.
  * plugin.h includes this behind device() and right_hand_side().
  */
 #ifndef MLG_DERIVATIVES_H
 #define MLG_DERIVATIVES_H
 
 #include "jacobian.h"
-
-/* The parameters that devices depend on; those of the gear are in jacobian.h. */
-static const int device_parameter[] = { PAR_C_D, PAR_K_S, PAR_B, PAR_K_D, PAR_K_PSI };
-enum { DEVICE_PARAMETERS = sizeof device_parameter / sizeof *device_parameter };
 
 /* The device by itself: its torque in the place of psi'', and its rates. */
 static void device_rates(const double par[], const double u[], double f[])
@@ -39,10 +35,13 @@ static inline void difference(void rates(const double par[], const double u[], d
     df[i] = (8. * (f[2][i] - f[1][i]) - (f[3][i] - f[0][i])) / (12. * h);
 }
 
-/* The step for a parameter. At 0 there is none: b = 0 takes the inerter out. */
-static double parameter_step(double value)
+/* Relative step for a parameter, and whether it can be differenced: b = 0 leaves the
+ * inerter out, and k_s may be infinite. */
+#define MLG_STEP 5e-4
+
+static inline int differenced(double value)
 {
-  return 5e-4 * fabs(value);
+  return fabs(value) > 0. && isfinite(value);
 }
 
 /* M^-1, where M are the slopes of E (jacobian.h) by delta'' and psi''. */
@@ -83,7 +82,7 @@ static inline void derivatives(const double par[], const double u[], const doubl
                                double dfdp[])
 {
   struct mlg_slopes E;
-  double p[PAR_M + 1];
+  double p[36];
 
   mlg_slopes(par, u, f, dfdp != NULL, &E);
   const struct inverse m = inverse(&E);
@@ -99,23 +98,51 @@ static inline void derivatives(const double par[], const double u[], const doubl
   dfdu[DDELTA * NDIM + DELTA] = dfdu[DPSI * NDIM + PSI] = 1.;
   if (dfdp == NULL)
     return;
-  for (int k = 0; k < MLG_GEAR_PARAMETERS; k++) {
-    const int j = mlg_gear_parameter[k];
-
-    memset(dfdp + j * NDIM, 0, NDIM * sizeof *dfdp);
-    add_gear(&m, E.parameter[j], dfdp + j * NDIM);
-  }
   memcpy(p, par, sizeof p);
-  for (int k = 0; k < DEVICE_PARAMETERS; k++) {
-    const int j = device_parameter[k];
-    const double h = parameter_step(p[j]);
+  for (int k = 0; k < MLG_PARAMETER_COUNT; k++) {
+    const int j = mlg_parameters[k].slot;
+    double *df = dfdp + j * NDIM;
 
-    memset(dfdp + j * NDIM, 0, NDIM * sizeof *dfdp);
-    if (h > 0.) {
-      difference(device_rates, p, u, &p[j], h, dfdp + j * NDIM);
-      settle_device(&m, dfdp + j * NDIM);
+    memset(df, 0, NDIM * sizeof *df);
+    if (mlg_of_gear(j))
+      add_gear(&m, E.parameter[j], df);
+    else if (differenced(p[j])) {
+      difference(device_rates, p, u, &p[j], MLG_STEP * p[j], df);
+      settle_device(&m, df);
     }
   }
+}
+
+/* How far derivatives() are from differences of right_hand_side() at some state,
+ * relative to the largest of each column (or to 1e-4 of f per relative change, as
+ * differences round): below 1e-7, unless jacobian.h does not belong to mlg.h, or
+ * device() is not what is said above. */
+static inline double derivatives_misfit(const double par[])
+{
+  double u[NDIM], f[NDIM], dfdu[NDIM * NDIM], dfdp[36 * NDIM], p[36], worst = 0.;
+
+  memcpy(p, par, sizeof p);
+  for (int i = 0; i < NDIM; i++)
+    u[i] = 3e-3 * (i + 1);
+  u[LAMBDA_L] = par[PAR_L] * tan(par[PAR_ALPHA_M] / 3.); /* well below alpha_m */
+  u[LAMBDA_R] = u[LAMBDA_L] / 2.;
+  right_hand_side(par, u, f);
+  derivatives(par, u, f, dfdu, dfdp);
+  for (int k = 0; k < NDIM + MLG_PARAMETER_COUNT; k++) {
+    const int j = k < NDIM ? k : mlg_parameters[k - NDIM].slot;
+    const double *df = (k < NDIM ? dfdu : dfdp) + j * NDIM;
+    double *x = k < NDIM ? &u[j] : &p[j], near[NDIM], size = 0., off = 0.;
+
+    if (k >= NDIM && !differenced(*x))
+      continue;
+    difference(right_hand_side, p, u, x, (k < NDIM ? 1e-2 : MLG_STEP) * *x, near);
+    for (int i = 0; i < NDIM; i++) {
+      size = fmax(size, fmax(fabs(near[i]), 1e-4 * fabs(f[i] / *x)));
+      off = fmax(off, fabs(df[i] - near[i]));
+    }
+    worst = fmax(worst, off / size);
+  }
+  return worst;
 }
 
 #endif

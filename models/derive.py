@@ -141,13 +141,18 @@ HEAD = """\
 
 enum mlg_equation {{ E_DELTA, E_PSI, E_LAMBDA_L, E_LAMBDA_R, MLG_EQUATIONS }};
 
-/* The parameters that the gear depends on. */
-enum {{ MLG_GEAR_PARAMETERS = {count} }};
-static const int mlg_gear_parameter[MLG_GEAR_PARAMETERS] = {{
+/* Whether the gear depends on par[slot]; devices depend on the others. */
+static inline int mlg_of_gear(int slot)
+{{
+  switch (slot) {{
 {slots}
-}};
+    return 1;
+  default:
+    return 0;
+  }}
+}}
 
-/* E by the accelerations, the states, and the parameters listed. */
+/* E by the accelerations, the states, and the parameters of the gear. */
 struct mlg_slopes {{
   double dddelta[MLG_EQUATIONS], ddpsi[MLG_EQUATIONS];
   double state[GEAR_STATES][MLG_EQUATIONS];
@@ -291,9 +296,7 @@ def header():
     strut = [whole.subs(ddzB, 0) for whole in strut]
     free = set().union(*(x.free_symbols for x in [*strut, *share, dlambda, *WHEEL.values()]))
     GEAR = [x for x in par.values() if x in free]
-    slots = textwrap.fill(', '.join(PARAMETERS[str(x)] for x in GEAR), 100,
-                          initial_indent='  ', subsequent_indent='  ')
-    print(HEAD.format(count=len(GEAR), slots=slots)
+    print(HEAD.format(slots='\n'.join(f'  case {PARAMETERS[str(x)]}:' for x in GEAR))
           + c_function('mlg_slopes_body', 'The strut and the bending part, without ground contact.',
                        {'E_DELTA': strut[0], 'E_PSI': strut[1]}, {})
           + c_function('mlg_slopes_wheel', 'One wheel, 0 left, 1 right.',

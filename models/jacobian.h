@@ -17,15 +17,39 @@
 
 enum mlg_equation { E_DELTA, E_PSI, E_LAMBDA_L, E_LAMBDA_R, MLG_EQUATIONS };
 
-/* The parameters that the gear depends on. */
-enum { MLG_GEAR_PARAMETERS = 22 };
-static const int mlg_gear_parameter[MLG_GEAR_PARAMETERS] = {
-  PAR_V, PAR_C_PSI, PAR_K_DELTA, PAR_C_DELTA, PAR_A, PAR_E, PAR_L_DELTA, PAR_L_D, PAR_M_D, PAR_J_XI,
-  PAR_J_ETA, PAR_J_ZETA, PAR_PHI, PAR_H, PAR_K_T, PAR_K_ALPHA, PAR_K_LAMBDA, PAR_L, PAR_R,
-  PAR_ALPHA_M, PAR_G, PAR_M
-};
+/* Whether the gear depends on par[slot]; devices depend on the others. */
+static inline int mlg_of_gear(int slot)
+{
+  switch (slot) {
+  case PAR_V:
+  case PAR_C_PSI:
+  case PAR_K_DELTA:
+  case PAR_C_DELTA:
+  case PAR_A:
+  case PAR_E:
+  case PAR_L_DELTA:
+  case PAR_L_D:
+  case PAR_M_D:
+  case PAR_J_XI:
+  case PAR_J_ETA:
+  case PAR_J_ZETA:
+  case PAR_PHI:
+  case PAR_H:
+  case PAR_K_T:
+  case PAR_K_ALPHA:
+  case PAR_K_LAMBDA:
+  case PAR_L:
+  case PAR_R:
+  case PAR_ALPHA_M:
+  case PAR_G:
+  case PAR_M:
+    return 1;
+  default:
+    return 0;
+  }
+}
 
-/* E by the accelerations, the states, and the parameters listed. */
+/* E by the accelerations, the states, and the parameters of the gear. */
 struct mlg_slopes {
   double dddelta[MLG_EQUATIONS], ddpsi[MLG_EQUATIONS];
   double state[GEAR_STATES][MLG_EQUATIONS];

@@ -53,6 +53,27 @@ static int usable(const double par[])
   return 1;
 }
 
+/* Ends the run, at its first call, when the derivatives are not those of the
+ * right-hand side: AUTO would go on with wrong eigenvalues. */
+static void refuse_misfit(void)
+{
+  static int fits;
+  double par[36], misfit;
+
+  if (fits)
+    return;
+  mlg_defaults(par);
+  par[PAR_K_S] = 1e6;
+  par[PAR_B] = 100.;
+  misfit = derivatives_misfit(par);
+  if (!(misfit < 1e-6)) {
+    fprintf(stderr, "the derivatives are off by %.1g: models/jacobian.h does not fit models/mlg.h, or "
+            "models/derivatives.h this device; their heads say more; JAC = 0 does without\n", misfit);
+    exit(2);
+  }
+  fits = 1;
+}
+
 /* Right-hand side and its derivatives (AUTO's FUNC, JAC = 1); those by parameters
  * at ijac = 2 only, AUTO has no room for them at 1.  Where a parameter is unusable
  * the rates are so large that AUTO tries a shorter step (it takes NaN for
@@ -67,6 +88,8 @@ int func(integer ndim, const doublereal *u, const integer *icp, const doublereal
   if (!usable(par))
     for (integer i = 0; i < ndim; i++)
       f[i] = 1e30;
+  else if (ijac != 0)
+    refuse_misfit();
   return 0;
 }
 
