@@ -36,12 +36,12 @@ static inline void difference(void rates(const double par[], const double u[], d
 }
 
 /* Relative step for a parameter, and whether it can be differenced: b = 0 leaves the
- * inerter out, and k_s may be infinite. */
+ * inerter out, and a rigid k_s does not give.  There the derivative is 0. */
 #define MLG_STEP 5e-4
 
 static inline int differenced(double value)
 {
-  return fabs(value) > 0. && isfinite(value);
+  return fabs(value) > 0. && fabs(value) < MLG_RIGID;
 }
 
 /* M^-1, where M are the slopes of E (jacobian.h) by delta'' and psi''. */

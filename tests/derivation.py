@@ -32,8 +32,8 @@ from derive import T_d, par, psi  # noqa: E402
 TOLERANCE = 1e-11
 
 # ---- devices -------------------------------------------------------------------
-# Two lists for each: springs and twists in series, from which T_d follows, and the
-# laws of what has states. tau and sigma are the twists of k_psi and k_s, rate(x) is x'.
+# Two lists for each: what gives T_d and the twists tau, sigma of k_psi, k_s from the
+# states, and the laws that hold then. rate(x) is x'.
 
 k_psi, k_s, k_d, c_d, b = (par[name] for name in ('k_psi', 'k_s', 'k_d', 'c_d', 'b'))
 tau, sigma, eps, deps, chi, dchi = derive.symbols('tau sigma eps deps chi dchi')
@@ -52,6 +52,14 @@ DEVICES = {
             [T_d - k_d * eps - c_d * deps - b * rate(deps), rate(eps) - deps]),
     'li2': ([T_d - k_psi * tau, psi - tau - eps - chi],
             [T_d - k_d * eps - c_d * rate(eps), T_d - k_s * chi - b * rate(dchi), rate(chi) - dchi]),
+    'li3': ([T_d - k_psi * tau, psi - tau - chi, chi - sigma - eps],
+            [T_d - b * rate(dchi) - k_s * sigma, k_s * sigma - k_d * eps - c_d * rate(eps),
+             rate(chi) - dchi]),
+    'li4': ([T_d - k_psi * tau, psi - tau - eps - chi],
+            [T_d - k_d * (eps + chi) - c_d * rate(eps), c_d * rate(eps) - k_s * chi - b * rate(dchi),
+             rate(chi) - dchi]),
+    'li5': ([T_d - k_psi * tau, T_d - k_d * (sigma + eps) - k_s * sigma, psi - tau - sigma - eps],
+            [k_s * sigma - c_d * deps - b * rate(deps), rate(eps) - deps]),
 }
 
 
@@ -132,8 +140,9 @@ def remainders(device, at):
     """{group of equations: largest remainder}"""
     in_series, laws = device
     unknown = {T_d, tau, sigma} & set().union(*(law.free_symbols for law in in_series))
-    torque = sympy.solve(in_series, unknown, dict=True)[0][T_d]
-    at = {**at, 'T_d': value(torque, at), 'dddelta': at['ddelta_rate'], 'ddpsi': at['dpsi_rate']}
+    at = {**at, 'dddelta': at['ddelta_rate'], 'ddpsi': at['dpsi_rate'],
+          **{str(x): value(found, at)
+             for x, found in sympy.solve(in_series, unknown, dict=True)[0].items()}}
     wheel = list(wheels(at))
     for mean, of_wheel in ('dzB', derive.rate(derive.contact[2])), ('ddzB', derive.ddzB_i):
         at[mean] = sum(value(of_wheel, here) for here in wheel) / 2

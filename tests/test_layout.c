@@ -330,6 +330,118 @@ static void linearisation_is_the_closed_form(void **state)
   }
 }
 
+/* ---- derivatives --------------------------------------------------------------- */
+
+/* d(rates)/dx by the central difference of tenth order; x is a number in par or u. */
+static void slope(const double par[], const double u[], double *x, double step, double df[])
+{
+  const double at = *x;
+
+  for (int i = 0; i < NDIM; i++)
+    df[i] = 0.;
+  for (int k = 5; k > 0; k--)
+    for (int sign = -1; sign <= 1; sign += 2) {
+      double f[NDIM];
+
+      *x = at + sign * k * step;
+      rates(par, u, f);
+      for (int i = 0; i < NDIM; i++)
+        df[i] += sign * eigen_weight[k - 1] / step * f[i];
+    }
+  *x = at;
+}
+
+/* A column within 1e-10 of its largest, and 1e-12 of f per change of x by itself,
+ * which is what rounding leaves of the difference. */
+static void assert_column(const char *name, const double got[], const double expected[],
+                          const double f[], double x)
+{
+  double largest = 0., rounding = 0.;
+
+  for (int i = 0; i < NDIM; i++) {
+    largest = fmax(largest, fabs(expected[i]));
+    rounding = fmax(rounding, 1e-12 * fabs(f[i] / x));
+  }
+  for (int i = 0; i < NDIM; i++)
+    if (!(fabs(got[i] - expected[i]) <= 1e-10 * largest + rounding))
+      fail_msg("d f[%d]/d %s = %.17g, expected %.17g; largest %g, rounding %g", i, name, got[i],
+               expected[i], largest, rounding);
+}
+
+/* Tyres are kept off the slope jump at alpha_m. */
+static void derivatives_are_those_of_func(void **state)
+{
+  static const char *const name[NDIM] = {
+#define X(id, name, unit, meaning) name,
+    MLG_STATES(X)
+#undef X
+  };
+  double par[SLOTS], u[NDIM], f[NDIM], dfdu[NDIM * NDIM], dfdp[SLOTS * NDIM], expected[NDIM];
+
+  (void)state;
+  for (int n = 0; n < SAMPLES; n++) {
+    random_parameters(par);
+    if (n % 2)
+      limiting(par, n / 2 % 16);
+    random_state_vector(u);
+    for (int tyre = LAMBDA_L; tyre <= LAMBDA_R; tyre++) {
+      const double alpha = par[PAR_ALPHA_M] * uniform(-1.4, 1.4);
+
+      u[tyre] = par[PAR_L] * tan(fabs(alpha / par[PAR_ALPHA_M]) < 0.8 ? alpha : 1.4 * alpha);
+    }
+    func(NDIM, u, NULL, par, 2, f, dfdu, dfdp);
+    for (int j = 0; j < NDIM; j++) {
+      slope(par, u, &u[j], 5e-3 * fabs(u[j]), expected);
+      assert_column(name[j], dfdu + j * NDIM, expected, f, u[j]);
+    }
+    for (int k = 0; k < MLG_PARAMETER_COUNT; k++) {
+      const int j = mlg_parameters[k].slot;
+
+      if (fabs(par[j]) > 0. && par[j] < MLG_RIGID) { /* else the device has none */
+        slope(par, u, &par[j], 2e-3 * par[j], expected);
+        assert_column(mlg_parameters[k].name, dfdp + j * NDIM, expected, f, par[j]);
+      }
+    }
+    if (n < 16)
+      assert_true(derivatives_misfit(par) < 1e-7);
+  }
+}
+
+/* AUTO has room for d f/d par at ijac = 2 only, and for NPAR columns; what is
+ * asked for does not hang on what was there before. */
+static void func_writes_what_it_is_asked_for(void **state)
+{
+  const double mark = -1.5e300;
+  double par[SLOTS], u[NDIM], f[3][NDIM], dfdu[2][NDIM * NDIM + 1], dfdp[2][SLOTS * NDIM];
+
+  (void)state;
+  random_parameters(par);
+  random_state_vector(u);
+  rates(par, u, f[0]);
+  for (int ijac = 1; ijac <= 2; ijac++) {
+    double *const A = dfdu[ijac - 1], *const P = dfdp[ijac - 1];
+
+    for (int i = 0; i <= NDIM * NDIM; i++)
+      A[i] = mark;
+    for (int i = 0; i < SLOTS * NDIM; i++)
+      P[i] = mark;
+    func(NDIM, u, NULL, par, ijac, f[ijac], A, P);
+    assert_memory_equal(f[ijac], f[0], sizeof f[0]);
+    for (int i = 0; i < NDIM * NDIM; i++)
+      assert_true(isfinite(A[i]) && A[i] > mark);
+    assert_near(A[NDIM * NDIM], mark, 0.);
+    for (int j = 0; j < SLOTS; j++) {
+      int ours = 0;
+
+      for (int k = 0; k < MLG_PARAMETER_COUNT; k++)
+        ours += mlg_parameters[k].slot == j;
+      for (int i = 0; i < NDIM; i++)
+        assert_true((P[j * NDIM + i] > mark) == (ours && ijac == 2));
+    }
+  }
+  assert_memory_equal(dfdu[0], dfdu[1], sizeof dfdu[0]);
+}
+
 /* ---- device() ------------------------------------------------------------------ */
 
 /* x' = A x + B psi + B1 psi', T_d = C x + D psi + D1 psi', by unit vectors. */
@@ -794,6 +906,8 @@ int main(void)
     cmocka_unit_test_setup(libmlg_is_func, seed),
     cmocka_unit_test_setup(libmlg_knows_what_is_none, seed),
     cmocka_unit_test_setup(linearisation_is_the_closed_form, seed),
+    cmocka_unit_test_setup(derivatives_are_those_of_func, seed),
+    cmocka_unit_test_setup(func_writes_what_it_is_asked_for, seed),
     cmocka_unit_test_setup(device_is_linear, seed),
     cmocka_unit_test_setup(device_has_the_stiffness_of_its_layout, seed),
     cmocka_unit_test_setup(network_is_the_device, seed),
