@@ -24,7 +24,7 @@ from sympy.printing.c import C11CodePrinter
 from sympy.printing.precedence import PRECEDENCE
 
 MLG = Path(__file__).with_name('mlg.h').read_text()
-# names of the parameters: 'c_d' is PAR_C_D in C
+# names of the parameters: 'c_d' is PAR_C_D in C; rows of results have no numbers
 PARAMETERS = {name: f'PAR_{id}' for id, name in
               re.findall(r'X\(\s*\d+,\s*(\w+),\s*"(\w+)",\s*"[^"]*",[^"]*,', MLG)}
 par = {name: sympy.Symbol(name, real=True) for name in PARAMETERS}
@@ -75,11 +75,11 @@ def kinetic_energy():
 
 def body():
     """(1) for delta and psi without the wheels: = 0 with them"""
-    T, weight = kinetic_energy(), par['m_D'] * par['g']
+    energy, weight = kinetic_energy(), par['m_D'] * par['g']
     spring = {delta: par['k_delta'] * delta, psi: T_d}
     damping = {delta: par['c_delta'], psi: par['c_psi']}
-    return [rate(diff(T, dq)) - diff(T, q) + spring[q] + damping[q] * dq - weight * diff(r_D[2], q)
-            for q, dq in coordinates.items()]
+    return [rate(diff(energy, dq)) - diff(energy, q) + spring[q] + damping[q] * dq
+            - weight * diff(r_D[2], q) for q, dq in coordinates.items()]
 
 
 # ---- one wheel ---------------------------------------------------------------
@@ -108,7 +108,8 @@ WHEEL = {
 def wheel():
     """What a wheel adds to body(): its forces by their virtual work (13)-(17), (21)"""
     force = Matrix([-Lambda * sin(theta), Lambda * cos(theta), -1])           # per F_z
-    return [-F_z * (force.dot(contact.diff(q)) - C * diff(w[2], dq)) for q, dq in coordinates.items()]
+    return [-F_z * (force.dot(contact.diff(q)) - C * diff(w[2], dq))
+            for q, dq in coordinates.items()]
 
 
 def stretched_string():
@@ -122,16 +123,18 @@ def stretched_string():
 # ---- C -----------------------------------------------------------------------
 
 HEAD = """\
-/* jacobian.h - derivatives of the gear's equations; made by derive.py, do not edit
+/* jacobian.h - derivatives of the gear's equations; do not edit
+ *
+ * Made by models/derive.py with sympy {sympy}.  After a change of the equations in
+ * mlg.h make the same change there, and then
  *
  *     /usr/bin/python3 models/derive.py > models/jacobian.h
  *
- * Needed after a change of the equations in mlg.h.  plugin.h stops a run whose
- * derivatives do not belong to its right-hand side.
+ * plugin.h stops a run whose derivatives do not belong to its right-hand side.
  *
- * With the accelerations known, the equations of motion are E = 0: those of delta
- * and psi, N m, linear in delta'', psi'' and T_d (which stands in that of psi only);
- * and one for the rate of each tyre's deflection, m/s.
+ * E are the equations of motion of delta and psi with all terms on the left, N m,
+ * linear in delta'', psi'' and T_d (which stands in that of psi only); and the rate
+ * of each tyre's deflection, m/s.
  */
 #ifndef MLG_JACOBIAN_H
 #define MLG_JACOBIAN_H
@@ -216,30 +219,31 @@ class Printer(C11CodePrinter):
 PRINTER = Printer({'math_macros': {}})
 
 
-def c_assignment(indent, left, value):
-    return textwrap.fill(f'{left} {PRINTER.doprint(value)};', 100, initial_indent=indent,
-                         subsequent_indent=indent + '    ', break_long_words=False,
-                         break_on_hyphens=False)
+def c_assignment(left, value):
+    return textwrap.fill(f'{left} {PRINTER.doprint(value)};', 100, initial_indent='  ',
+                         subsequent_indent='      ', break_long_words=False, break_on_hyphens=False)
 
 
-def c_function(name, comment, rows, steps, argument=''):
+def c_function(name, comment, gear, rows, steps, argument=''):
     """C that adds d(row)/d(input) of each of rows {slot: expression} to E. The
-    inputs are states, accelerations and the gear's parameters. Of the steps {symbol:
+    inputs are states, accelerations and the parameters gear. Of the steps {symbol:
     expression} to the rows the slopes are carried through."""
-    inputs = [*STATES, lam, dddelta, ddpsi, *GEAR]
+    places = {**{x: f'state[{slot}]' for x, slot in STATES.items()}, lam: 'state[LAMBDA_L + wheel]',
+              **{x: str(x) for x in (dddelta, ddpsi)},
+              **{x: f'parameter[{PARAMETERS[str(x)]}]' for x in gear}}
     known, slope = [], {}
     for x in steps:
-        for y in inputs:
+        for y in places:
             value = diff(steps[x], y) + sum(diff(steps[x], z) * slope.get((z, y), 0) for z in steps)
             if value != 0:
                 slope[x, y] = symbols(f'{x}_{y}')
                 known.append((slope[x, y], value))
     targets = []
-    for y in inputs:
+    for y in places:
         for slot, row in rows.items():
             value = diff(row, y) + sum(diff(row, x) * slope.get((x, y), 0) for x in steps)
             if value != 0:
-                targets.append((f'E->{place(y)}[{slot}] +=', y in GEAR, value))
+                targets.append((f'E->{places[y]}[{slot}] +=', y in gear, value))
 
     given = {x: value for x, value in [*steps.items(), *known] if x not in LOCAL}
     named = list(given)
@@ -258,7 +262,7 @@ def c_function(name, comment, rows, steps, argument=''):
             done.add(x)
             if x in definition:
                 define(definition[x])
-                lines.append(c_assignment('  ', f'const double {x} =', definition[x]))
+                lines.append(c_assignment(f'const double {x} =', definition[x]))
             else:
                 lines.append(f'  const double {x} = {LOCAL[x]};')
 
@@ -268,17 +272,8 @@ def c_function(name, comment, rows, steps, argument=''):
         for _, is_late, value in out:
             if is_late == late:
                 define(value)
-        lines += [c_assignment('  ', left, value) for left, is_late, value in out if is_late == late]
+        lines += [c_assignment(left, value) for left, is_late, value in out if is_late == late]
     return FUNCTION.format(name=name, comment=comment, argument=argument, body='\n'.join(lines))
-
-
-def place(x):
-    """where in struct mlg_slopes the slopes by x are"""
-    if x in (dddelta, ddpsi):
-        return str(x)
-    if x in GEAR:
-        return f'parameter[{PARAMETERS[str(x)]}]'
-    return 'state[LAMBDA_L + wheel]' if x == lam else f'state[{STATES[x]}]'
 
 
 def tidy(expression):
@@ -288,18 +283,17 @@ def tidy(expression):
 
 
 def header():
-    global GEAR
     strut = [tidy(row) for row in body()]
     # zB'' is the mean of the two wheels'
     share = [row + diff(whole, ddzB) * ddzB_i / 2 for row, whole in zip(wheel(), strut)]
     dlambda = stretched_string()
     strut = [whole.subs(ddzB, 0) for whole in strut]
     free = set().union(*(x.free_symbols for x in [*strut, *share, dlambda, *WHEEL.values()]))
-    GEAR = [x for x in par.values() if x in free]
-    print(HEAD.format(slots='\n'.join(f'  case {PARAMETERS[str(x)]}:' for x in GEAR))
-          + c_function('mlg_slopes_body', 'The strut and the bending part, without ground contact.',
+    gear = [x for x in par.values() if x in free]
+    print(HEAD.format(sympy=sympy.__version__, slots='\n'.join(f'  case {PARAMETERS[str(x)]}:' for x in gear))
+          + c_function('mlg_slopes_body', 'The strut and the bending part, without ground contact.', gear,
                        {'E_DELTA': strut[0], 'E_PSI': strut[1]}, {})
-          + c_function('mlg_slopes_wheel', 'One wheel, 0 left, 1 right.',
+          + c_function('mlg_slopes_wheel', 'One wheel, 0 left, 1 right.', gear,
                        {'E_DELTA': share[0], 'E_PSI': share[1], 'E_LAMBDA_L + wheel': dlambda}, WHEEL,
                        'int wheel, ')
           + TAIL)
@@ -307,5 +301,6 @@ def header():
 
 if __name__ == '__main__':
     if len(sys.argv) > 1:
-        sys.exit('usage: /usr/bin/python3 models/derive.py > models/jacobian.h')
+        print('usage: /usr/bin/python3 models/derive.py > models/jacobian.h', file=sys.stderr)
+        sys.exit(2)
     header()

@@ -1,13 +1,15 @@
-/* jacobian.h - derivatives of the gear's equations; made by derive.py, do not edit
+/* jacobian.h - derivatives of the gear's equations; do not edit
+ *
+ * Made by models/derive.py with sympy 1.11.1.  After a change of the equations in
+ * mlg.h make the same change there, and then
  *
  *     /usr/bin/python3 models/derive.py > models/jacobian.h
  *
- * Needed after a change of the equations in mlg.h.  plugin.h stops a run whose
- * derivatives do not belong to its right-hand side.
+ * plugin.h stops a run whose derivatives do not belong to its right-hand side.
  *
- * With the accelerations known, the equations of motion are E = 0: those of delta
- * and psi, N m, linear in delta'', psi'' and T_d (which stands in that of psi only);
- * and one for the rate of each tyre's deflection, m/s.
+ * E are the equations of motion of delta and psi with all terms on the left, N m,
+ * linear in delta'', psi'' and T_d (which stands in that of psi only); and the rate
+ * of each tyre's deflection, m/s.
  */
 #ifndef MLG_JACOBIAN_H
 #define MLG_JACOBIAN_H
