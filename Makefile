@@ -28,7 +28,7 @@ models += $(made_constants:%=build/constants/c.%)
 libraries := build/lib/libmlg.a build/lib/libmlg.so
 goals := $(or $(MAKECMDGOALS),figures)
 
-.PHONY: figures page check-pages models libmlg collect drawings test test-programs check-scripts setup bench clean distclean help always
+.PHONY: figures page check-pages models libmlg collect drawings test fuzz test-programs check-scripts setup bench clean distclean help always
 
 figures: ## every figure and the table of paper against computed values
 	@scripts/targets.sh
@@ -249,6 +249,9 @@ $(benches): build/bench/rhs-%: tests/bench/rhs.c models/%.c build/auto.mk Makefi
 verify: test-programs ## AUTO's values against oracles that do without AUTO
 	@tests/verify.sh
 
+fuzz: build/tests/fuzz ## the constants checker on 10 million random inputs; SEED=2 for others
+	FUZZ=10000000 build/tests/fuzz
+
 check-scripts: models ## shellcheck over every script and test
 	@tests/run.sh scripts
 
@@ -259,6 +262,8 @@ $(tests): build/tests/%: tests/test_%.c build/auto.mk Makefile
 
 build/tests/integrate: with = $(sundials)
 build/tests/criticality: with = -llapacke -llapack
+build/tests/fuzz: with = build/lib/libmlg.a
+build/tests/fuzz: build/lib/libmlg.a
 
 $(layout_tests): build/tests/layout-%: tests/test_layout.c models/%.c build/lib/libmlg.a build/auto.mk Makefile
 	@mkdir -p $(@D)

@@ -48,18 +48,22 @@ static const struct { const char *key; char names; } auto_constants[] = {
   { "A1", 0 },     { "e", 0 },        { "s", 0 },     { "dat", 0 },      { "sv", 0 },
 };
 
+/* One line whatever it quotes, which may span lines in the file. */
 static void bad_input(const char *file, int line, const char *format, ...)
 {
+  char text[1024];
   va_list args;
 
-  if (line > 0)
-    fprintf(stderr, "%s:%d: ", file, line);
-  else
-    fprintf(stderr, "%s: ", file);
   va_start(args, format);
-  vfprintf(stderr, format, args);
+  vsnprintf(text, sizeof text, format, args);
   va_end(args);
-  fputc('\n', stderr);
+  for (char *t = text; *t; t++)
+    if (iscntrl((unsigned char)*t))
+      *t = ' ';
+  if (line > 0)
+    fprintf(stderr, "%s:%d: %s\n", file, line, text);
+  else
+    fprintf(stderr, "%s: %s\n", file, text);
   exit(STATUS_BAD_INPUT);
 }
 
@@ -367,6 +371,7 @@ static void check(const struct constants *c)
   long ndim, isw;
   const int curve = (e = get(c, "ISW")) && is_integer(e->value, &isw) && labs(isw) == 2;
 
+  parnames.n = unames.n = 0;
   if ((e = get(c, "parnames"))) {
     split(c, e, &parnames);
     check_parnames(c, &parnames);
