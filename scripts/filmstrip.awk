@@ -2,14 +2,14 @@
 #
 #   awk -F, -v solution=A -v view=top|rear -v part=wheels|strut|contact \
 #       -v every=12 -v apart=1 [-v only=K] -v turns=.. -v bends=.. -v shifts=.. \
-#       -f filmstrip.awk results/filmstrip.csv
+#       -f filmstrip.awk models/mlg.h results/filmstrip.csv
 #
 # Every so many instants one gear, APART metres to the right of the last; or
 # only instant K, at 0.  turns, bends and shifts multiply psi, delta* and lambda.
 # Prints "x y" in metres, x to the right and y forward (top) or up from the ground
 # (rear); a blank line ends a polyline.  contact: the middle lines of the tyres from
 # the leading contact points forward (top), where they stand on the ground (rear).
-# The gear is that of models/mlg.h without rake; a tyre is 0.16 m wide.
+# The gear is the one of models/mlg.h, without rake; a tyre is 0.16 m wide.
 
 function point(across, along) { printf "%.4f %.4f\n", x0 + across, along }
 
@@ -55,7 +55,13 @@ function rear(    side, foot) {
   }
 }
 
-BEGIN { a = 0.5; e = 0.12; R = 0.362; l_delta = 0.75; h = 0.1; l = 0.3; w = 0.16 }
+BEGIN { w = 0.16 }
+
+FILENAME ~ /mlg\.h$/ { # X(15, A, "a", "m", 0.5, ...
+  if (/^ *X\( *[0-9]+,/) { gsub(/[ "]/, "", $3); gear[$3] = $5 + 0 }
+  next
+}
+FNR == 1 { a = gear["a"]; e = gear["e"]; R = gear["R"]; l_delta = gear["l_delta"]; h = gear["h"]; l = gear["l"] }
 
 /^#/ || $1 != solution { next }
 

@@ -3,7 +3,7 @@
 # and from behind; and the same moving (.gif).
 file = "results/filmstrip.csv"
 turns = 5; bends = 10; shifts = 4 # psi, delta* and lambda are drawn so many times larger
-gear(solution, view, part, choice) = sprintf("< awk -F, -v solution=%s -v view=%s -v part=%s %s -v turns=%g -v bends=%g -v shifts=%g -f scripts/filmstrip.awk %s", solution, view, part, choice, turns, bends, shifts, file)
+gear(solution, view, part, choice) = sprintf("< awk -F, -v solution=%s -v view=%s -v part=%s %s -v turns=%g -v bends=%g -v shifts=%g -f scripts/filmstrip.awk models/mlg.h %s", solution, view, part, choice, turns, bends, shifts, file)
 draw_gear = "plot gear(s, view, 'wheels', choice) with filledcurves closed fc rgb '#e4e4e4', gear(s, view, 'strut', choice) with lines ls 11, gear(s, view, 'contact', choice) with lines ls 12"
 period(s) = real(system(sprintf("awk -F, '$1 == \"%s\" { t = $3 } END { print t }' %s", s, file)))
 title(s) = sprintf("%s, %.1f Hz", s eq "A" ? "A: ψ-shimmy, V = 20 m/s" : "B: δ-shimmy, V = 40 m/s", 1. / period(s))

@@ -28,7 +28,7 @@ number() {
 
 gain() { # LAYOUT B: its largest width over that of L2, per cent
   awk -v x="$(number %s widths width layout="$1" b="$2")" -v y="$(number %s widths width layout=li2 b=0)" \
-    'BEGIN { printf "%.2f", 100 * (x / y - 1) }'
+    'BEGIN { if (x y ~ /MISSING/) print x y; else printf "%.2f", 100 * (x / y - 1) }'
 }
 
 # The b of LI1 at which another limit takes over.

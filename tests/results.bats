@@ -5,7 +5,6 @@ setup_file() {
   load scratch
   scratch results
   cp -rp "$ROOT"/{results,docs} .
-  cp -p "$ROOT"/{CITATION.cff,CHANGELOG.md} .
 }
 
 setup() {
@@ -69,7 +68,7 @@ setup() {
 @test "a tyre without deflection is drawn straight, one with it is shifted where it stands" {
   strip() { # WHAT LAMBDA_R: the corners of the wheels
     awk -F, -v solution=A -v view=rear -v part="$1" -v every=1 -v apart=1 -v turns=1 -v bends=1 -v shifts=2 \
-      -f scripts/filmstrip.awk <<<"A,0,0,0,0,0,$2"
+      -f scripts/filmstrip.awk models/mlg.h - <<<"A,0,0,0,0,0,$2"
   }
   diff <(strip contact 0.01) - <<'END'
 -0.3300 0.0000

@@ -13,6 +13,9 @@ load scratch
 
 setup_file() {
   scratch runs
+  # what other targets make, the page shows as it is committed
+  cp -rp "$ROOT/results" .
+  rm results/{fig*,filmstrip.*,special_points.csv,boundary_points.csv,widths.csv,targets.csv,versions.csv,README.md}
   # What goes wrong here, the first test tells
   made_by_make -k -j2 figures >make.log 2>&1 && echo 0 >make.status || echo $? >make.status
 }
@@ -151,7 +154,8 @@ committed() { # file: into committed/
   local table same=1
   committed targets.csv
   for table in $(git -C "$ROOT" ls-tree --name-only HEAD:results); do
-    case $table in *.csv) ;; *) continue ;; esac
+    # there was no table, so with what it was made is written anew
+    case $table in versions.csv) continue ;; *.csv) ;; *) continue ;; esac
     committed "$table"
     cmp "committed/$table" "results/$table" || same=0
   done

@@ -11,7 +11,7 @@ scratch() {
   rm -rf "$SCRATCH"
   mkdir -p "$SCRATCH"/build/{models,bin} "$SCRATCH/tests"
   cd "$SCRATCH" || return
-  cp -rp "$ROOT"/{Makefile,scripts,models,constants} .
+  cp -rp "$ROOT"/{Makefile,scripts,models,constants,CITATION.cff} .
   cp -p "$ROOT"/tests/targets.csv tests
   cp -p "$ROOT"/build/models/*.exe build/models
   find "$ROOT/build/bin" -type f -exec cp -p -t build/bin {} +
