@@ -209,6 +209,7 @@ part_growth() {
     grown "orbits, psi branch, NTST = $n" "cd $bench/growth && ../../models/l1.exe"
   done
   our_tree
+  # shellcheck disable=SC2016 # for the shell that cpu starts
   for n in 1 2 4 8; do
     cases=$(seq -s ' ' 400000 20000 $((380000 + n * 20000)))
     grown "Hopf curves of LI1, b = 70, number of k_s: $n" "cd $bench/ours && rm -rf build/runs &&
@@ -295,7 +296,7 @@ tree() { # FOLDER COMMIT: its files, or with - the work tree's
   rm -rf "${bench:?}/$1"
   mkdir -p "$bench/$1"
   if [ "$2" = - ]; then
-    cp -r Makefile models constants scripts tests results "$bench/$1"
+    tar -c --exclude=./build --exclude=./.git . | tar -x -C "$bench/$1"
   else
     git archive "$2" | tar -x -C "$bench/$1"
   fi
@@ -333,5 +334,6 @@ done
 auto=$(realpath "$(sed -n 's/^AUTO_DIR = //p' build/auto.mk)")
 mkdir -p "$bench"
 unset MAKEFLAGS MFLAGS MAKELEVEL
+export MLG_BUILT=yes # the copies of this tree have no AUTO of their own
 echo "$(uname -m), $(getconf _NPROCESSORS_ONLN) processors, load $(cut -d' ' -f1 /proc/loadavg); $(gcc --version | head -n 1); AUTO-07p $(sed -n 's/^AUTO_VERSION = //p' build/auto.mk)"
 for part; do "part_$part"; done
