@@ -5,6 +5,8 @@
  *   wheels ---/\/\/\--o---/\/\/\---o-----+           +------o---- strut
  *     psi            chi          eps    +--[ c_d ]--+
  *
+ *   drawn in docs/drawings/li3.svg
+ *
  *   T_d = k_psi (psi - chi) = b chi'' + k_s (chi - eps)
  *   k_s (chi - eps) = k_d eps + c_d eps'
  *

@@ -5,6 +5,8 @@
  *   wheels ---/\/\/\---o--+---[ c_d ]----o----+           +---+---- strut
  *     psi                       eps      chi  +--[  b  ]--+
  *
+ *   drawn in docs/drawings/li4.svg
+ *
  *   T_d = k_psi (psi - eps - chi) = k_d (eps + chi) + T_b
  *   T_b = c_d eps' = k_s chi + b chi''
  *

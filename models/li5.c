@@ -5,6 +5,8 @@
  *   wheels ---/\/\/\---o--+---/\/\/\-----o----+           +---+---- strut
  *     psi                               eps   +--[  b  ]--+
  *
+ *   drawn in docs/drawings/li5.svg
+ *
  *   T_d = k_psi (psi - x) = k_d x + T_b, x the twist across k_d
  *   T_b = k_s (x - eps) = c_d eps' + b eps''
  *
