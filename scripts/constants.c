@@ -4,8 +4,8 @@
  *
  * Prints FILE as AUTO reads it, one constant per line, with each NAME set to
  * VALUE: NAME is an AUTO constant (DS=-0.1) or a parameter (c_d=5e3, goes into
- * PAR).  gear=FILE sets all that the PAR of that file holds.  layout=LAYOUT makes
- * a file of another layout one of that layout.
+ * PAR).  gear=FILE sets all that the PAR of that file holds, where a value may have
+ * its unit behind it.  layout=LAYOUT makes a file of another layout one of that layout.
  *
  * AUTO passes over many slips in silence.  Here an unknown constant, a name
  * that parnames or unames lacks, a parameter under a wrong slot or outside its
@@ -494,8 +494,17 @@ static void set_gear(struct constants *c, const char *file)
     bad_input(file, 0, "expected one constant, PAR = {'name': value, ...}");
   split(&gear, e, &items);
   for (int k = 0; k < items.n; k++) {
-    if (!find_parameter(items.item[k].key))
+    const struct mlg_parameter *p = find_parameter(items.item[k].key);
+    char *unit = items.item[k].value + strcspn(items.item[k].value, " \t\n");
+
+    if (!p)
       bad_input(file, e->line, "PAR: '%s' is not a parameter (see models/mlg.h)", items.item[k].key);
+    if (*unit) {
+      *unit++ = '\0';
+      unit += strspn(unit, " \t\n");
+      if (strcmp(unit, p->unit) != 0)
+        bad_input(file, e->line, "PAR: %s is in %s here; it has to be in %s", p->name, unit, p->unit);
+    }
     check_value(&gear, e, items.item[k].key, items.item[k].value);
     put_parameter(c, items.item[k].key, items.item[k].value);
   }

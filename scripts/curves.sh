@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # curves.sh - every Hopf curve in the (V, c_d) plane at one k_s and b
 #
-#   scripts/curves.sh LAYOUT NAME [PARAMETER=VALUE ...]
+#   scripts/curves.sh LAYOUT NAME [gear=FILE] [PARAMETER=VALUE ...]
 #   scripts/curves.sh li1 mine k_s=6.38e5 b=140
 #
 # Sourced after lib.sh by the scripts of Figures 9, 12 and 14; by itself it makes
-# the curves of a user's own values.
+# the curves of a user's own values and gear, and tells where there is no shimmy.
 # Needs:  curves-LAYOUT (scripts/curves.c), which says how many curves there are,
 #         where one may start and where c_d has extrema; scan-LAYOUT to compare.
 # Writes: build/tables/NAME.csv (curve, shimmy, type, V, c_d; type LP: an extremum
@@ -101,9 +101,20 @@ end_diagrams() {
 
 if [ "${BASH_SOURCE[0]}" = "$0" ]; then
   . "$(dirname "$0")/lib.sh"
-  [ $# -ge 2 ] || fail "usage: scripts/curves.sh LAYOUT NAME [PARAMETER=VALUE ...]" 2
+  [ $# -ge 2 ] || fail "usage: scripts/curves.sh LAYOUT NAME [gear=FILE] [PARAMETER=VALUE ...]" 2
   layout=$1 name=$2
   shift 2
+  values=()
+  for word; do
+    case $word in
+      gear=*)
+        build
+        gear=$(gear_values "${word#gear=}") || exit $?
+        mapfile -t -O "${#values[@]}" values <<< "$gear" ;;
+      *) values+=("$word") ;;
+    esac
+  done
+  set -- "${values[@]}"
   [ -f "models/$layout.c" ] || fail "curves: there is no models/$layout.c" 2
   case $name in */*) fail "curves: NAME '$name' has a slash; expected a plain name" 2 ;; esac
   case " $*" in *" V="* | *" c_d="*) fail "curves: V and c_d are the axes; give other parameters" 2 ;; esac
@@ -117,4 +128,7 @@ if [ "${BASH_SOURCE[0]}" = "$0" ]; then
   curve_rows "" "$name"
   replace "$table"
   awk -F, -v table="$table" '{ printf "  %s curves, %s closed, %s extrema of c_d met to %s; rows in %s\n", $2, $3, $4, $5, table }' "$table.check"
+  "build/bin/scan-$layout" intervals "$@" | awk -F, '
+    NR > 1 { printf "  no shimmy from V = 0 to 200 m/s: c_d from %s to %s N m s/rad\n", $1, $2 }
+    END { if (NR < 2) print "  no c_d is free of shimmy from V = 0 to 200 m/s" }'
 fi

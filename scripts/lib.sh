@@ -24,6 +24,14 @@ build() {
   MLG_BUILT=yes
 }
 
+# The values of a file of gear parameters, NAME=VALUE in a line each.  c.l1.hopf sets
+# no parameters of its own.
+gear_values() { # FILE
+  local checked
+  checked=$(build/bin/constants constants/c.l1.hopf gear="$1") || exit $?
+  sed -n "s/^PAR = {\(.*\)}/\1/p" <<< "$checked" | tr -d "' " | tr ',:' '\n='
+}
+
 # Parts of a figure, its tables and its picture are asked for often and seldom have to
 # be made again: build/tables/NAME.made has the sums of all files NAME hangs on.
 is_made() { # NAME

@@ -1,5 +1,6 @@
 # new-runs.bats - can users make runs and figures of their own, and read them?
 #
+# The examples of docs/new-runs.md and README.md, run as they are written there.
 # Every parameter, fixed and continued by its name in every layout, against
 # eigenvalues; tables of a branch and of a solution (scripts/table.sh), against
 # AUTO's files.
@@ -28,6 +29,116 @@ cell() {
     $place["name"] == name { print $place[column] }' "$1"
 }
 
+# nearest V < speeds
+nearest() {
+  awk -v V="$1" 'NR == 1 || ($1 - V) ^ 2 < (best - V) ^ 2 { best = $1 } END { print best }'
+}
+
+# oracle LAYOUT V NAME=VALUE...: the speed of the Hopf point nearest to V, from eigenvalues
+oracle() {
+  "build/bin/eigen-$1" boundary free=V from="$(awk "BEGIN { print 0.99 * $2 }")" to="$(awk "BEGIN { print 1.01 * $2 }")" \
+    step="$(awk "BEGIN { print 0.001 * $2 }")" "${@:3}" | awk 'NR > 1 { print $1 }' | nearest "$2"
+}
+
+## The guide
+
+# example N: the Nth block of the guide, as it is written; the pictures are there
+example() {
+  examples docs/new-runs.md "$1" "${2:-$1}" >example.sh
+  [ -s example.sh ]
+  bash -eu example.sh >example.out 2>&1 || { cat example.out; return 1; }
+  cat example.out
+  [[ $(<example.out) != *[Ww]arning* ]]
+}
+
+largest() { # COLUMN TABLE
+  awk -F, -v column="$1" '/^#/ { next } !n++ { for (k = 1; k <= NF; k++) if ($k == column) place = k; next }
+    $place > most { most = $place } END { print most }' "$2"
+}
+
+is_picture() { # FILE
+  [ "$(head -c 4 "$1" | tail -c 3)" = PNG ] && [ "$(wc -c <"$1")" -gt 8000 ]
+}
+
+@test "example 1: a slice at another c_d" {
+  example 1
+  is_picture build/slice.png
+  grep -q 'slice.delta .* closed' example.out
+  paste -d' ' <(values slice.straight HB V) <(build/bin/eigen-l1 boundary free=V from=0.1 to=200 c_d=1e4 | awk 'NR > 1 { print $1 }') |
+    near_each 1e-7 "V at c_d = 1e4"
+  # the number in the text
+  near "$(largest dstar_max build/slice.delta.csv)" 0.0125 0.01 "largest dstar_max"
+}
+
+@test "example 2: Hopf curves over speed and load" {
+  local point way F_z
+  example 2
+  is_picture build/load.png
+  for point in HB1 HB2; do
+    for way in up down; do
+      near "$(awk "BEGIN { printf \"%.11g\", ($(value load.$point.$way UZ M) + 500) * 9.81 }")" "$(value load.$point.$way UZ F_z)" 1e-9 "F_z at the end of load.$point.$way"
+      near "$(value load.$point.$way UZ V)" "$(oracle l1 "$(value load.$point.$way UZ V)" c_d=3.6e4 M="$(value load.$point.$way UZ M)")" 1e-7 "V there"
+    done
+  done
+  # the numbers in the text
+  for F_z in 183:HB1 188:HB2; do
+    near "$(values "load.${F_z#*:}.down" LP F_z)" "${F_z%:*}e3" 3e-3 "least F_z"
+  done
+}
+
+@test "example 3: the stability diagram of one's own gear" {
+  example 3
+  is_picture build/mine.png
+  [ "$(grep '^  no shimmy' example.out)" = "$(grep '^ *no shimmy' "$ROOT/docs/new-runs.md" | sed 's/^ */  /')" ]
+  paste -d' ' <(build/bin/eigen-l1 interval V_lo=0.5 step=0.25 c_d_steps=60 l=0.33 k_psi=3.2e5 M=18000 | awk '$1 > 100.1 && $1 < 9.99e4 && $2 != "-" { print $1 }') \
+    <(grep -m 1 '^  no shimmy' example.out | grep -oE '[0-9]{4,}\.[0-9]+') | near_each 1e-6 "end of the interval"
+}
+
+@test "a unit that is not that of the parameter" {
+  printf "PAR = {'l': 330 mm}\n" >build/gear.bad
+  run -2 scripts/run.sh a l1.straight gear=build/gear.bad
+  [ "$output" = 'build/gear.bad:1: PAR: l is in mm here; it has to be in m' ]
+  run -2 scripts/curves.sh l1 a gear=build/gear.bad
+  [ "$output" = 'build/gear.bad:1: PAR: l is in mm here; it has to be in m' ]
+  printf "PAR = {'k_t': 9e5 N/m, 'm_D':450\n kg, 'e': 0.1}\n" >build/gear.good
+  scripts/run.sh a l1.straight gear=build/gear.good
+  grep -qx "PAR = {'V': 1.0, 'c_d': 3.6e4, 'k_t': 9e5, 'm_D': 450, 'e': 0.1}" build/runs/a/c.a
+}
+
+@test "the runs in the guide's table of what to ask for" {
+  scripts/run.sh slice.straight l1.straight c_d=1e4
+  scripts/run.sh slice.delta l1.periodic from=slice.straight IRS="'HB1'"
+  # shellcheck disable=SC2016 # code
+  sed -n 's/^| \(a sweep\) | a loop: `\(.*\)` |$/\2/p' "$ROOT/docs/new-runs.md" >row.sh
+  grep -q sweep row.sh
+  bash -eu row.sh
+  near "$(value sweep.0.16 HB V)" "$(oracle li1 "$(value sweep.0.16 HB V)" c_d=1e4 k_s=6.38e5 b=140 e=0.16)" 1e-7 "V at e = 0.16"
+  sed -n 's/^| straight rolling along .*: `\(.*\)` |$/scripts\/run.sh along.phi l1.straight \1/p
+    s/^| shimmy along .*: `\(.*\)` |$/scripts\/run.sh along.e l1.periodic \1/p' "$ROOT/docs/new-runs.md" >row.sh
+  [ "$(wc -l <row.sh)" -eq 2 ]
+  bash -eu row.sh
+  near "$(value along.phi UZ phi)" -0.06 1e-7 phi
+  near "$(value along.e UZ e)" 0.16 1e-7 e
+  [ "$(value along.e UZ psi_max)" != 0.0000000000E+000 ]
+}
+
+@test "AUTO's own commands and Python interface, as the guide has them" {
+  [ "$(sed -n 's/^AUTO_DIR = //p' build/auto.mk)" = build/auto ] || skip "AUTO is not in build/auto"
+  [[ $ROOT != *[[:space:]]* ]] || skip "AUTO does not stand blanks in its path"
+  cp -rp "$ROOT"/build/{models,bin,lib,constants} build
+  unset MLG_BUILT
+  example 4 5
+  grep -q 'TR .* 3.07865E+01' example.out
+  near "$(awk '/^largest/ { print $3 }' example.out)" 12.5086 1e-5 "largest delta*"
+  near "$(largest dstar_max build/hand/shimmy.csv)" 0.0125086 1e-5 "the same in the table"
+}
+
+@test "the examples of README.md" {
+  examples README.md >readme.sh
+  [ -s readme.sh ]
+  bash -eu readme.sh
+}
+
 ## Parameters
 
 layouts() {
@@ -39,17 +150,6 @@ parameters() {
   awk -F'"' '/^#define MLG_RESULTS/ { exit }
     /^ *X\( *[0-9]/ && $2 !~ /^(V|c_d|k_s|b|phi|M)$/ { split($5, x, ","); print $2, x[2] }
     END { print "k_s", 1e6; print "b", 100; print "phi", 0.0524; print "M", 2e4 }' models/mlg.h
-}
-
-# nearest V < speeds
-nearest() {
-  awk -v V="$1" 'NR == 1 || ($1 - V) ^ 2 < (best - V) ^ 2 { best = $1 } END { print best }'
-}
-
-# oracle LAYOUT V NAME=VALUE...: the speed of the Hopf point nearest to V, from eigenvalues
-oracle() {
-  "build/bin/eigen-$1" boundary free=V from="$(awk "BEGIN { print 0.99 * $2 }")" to="$(awk "BEGIN { print 1.01 * $2 }")" \
-    step="$(awk "BEGIN { print 0.001 * $2 }")" "${@:3}" | awk 'NR > 1 { print $1 }' | nearest "$2"
 }
 
 @test "every parameter can be fixed and continued by its name, in every layout" {

@@ -75,3 +75,11 @@ near_each() {
   done
   [ "$n" -gt 0 ] || { echo "$2: nothing to compare" && return 1; }
 }
+
+# examples FILE [FROM [TO]]: the code of its blocks ```bash, or of these only
+examples() {
+  awk -v from="${2:-1}" -v to="${3:-1e9}" '
+    /^```bash$/ { n++; inside = 1; next }
+    /^```$/ { inside = 0 }
+    inside && n >= from && n <= to' "$ROOT/$1"
+}

@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# run.sh - one AUTO run, made and judged
+#
+#   scripts/run.sh NAME CONSTANTS [from=RUN] [gear=FILE] [KEY=VALUE ...] [-- TYPE=COUNT ...]
+#   scripts/run.sh slice.straight l1.straight c_d=1e4 -- HB=2
+#
+# The function run of lib.sh as a command; docs/new-runs.md tells how to use it.
+# Writes: build/runs/NAME, on standard output the time taken and the points found
+# Exit:   0, 1 the run failed, 2 bad input
+. "$(dirname "$0")/lib.sh"
+run "$@"
