@@ -248,6 +248,7 @@ parameters() {
   [ "$output" = "table: there is no run 'none', no build/runs/none/b.none" ]
   run -2 scripts/table.sh straight solution HB5
   [ "$output" = "table: there is no solution 'HB5'; there are EP1 HB1 HB2 HB3 HB4 UZ1" ]
+  mkdir -p elsewhere
   cat build/runs/{straight/b.straight,psi/b.psi} >elsewhere/b.both
   run -2 --separate-stderr scripts/table.sh elsewhere/both
   # shellcheck disable=SC2154 # set by run
