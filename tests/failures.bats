@@ -193,8 +193,7 @@ fails() {
 
 @test "a parameter that is continued out of its range" {
   fails 'PAR(30) alpha_m = -* rad must be above 0;*' left l1.periodic from=straight ICP="['alpha_m', 'period']" DS=-0.01 UZR={} UZSTOP={} --
-  # so near to 0 that AUTO's eigenvalues fail: AUTO stops there, with status 0
-  fails 'PAR(28) l = -*;AUTO broke off at l = *' left l1.straight V=20 ICP="['l', 'period']" DS=-0.01 DSMAX=0.02 UZSTOP={} --
+  fails 'PAR(28) l = -* m must be above 0;*' left l1.straight V=20 ICP="['l', 'period']" DS=-0.01 DSMAX=0.02 UZSTOP={} --
 }
 
 @test "steps used up" {
@@ -235,6 +234,8 @@ judge() {
   run -0 judge 's/^( +-?[0-9]+ +-?[0-9]+ +)8 /\10 /'
   [[ $output == *'FAIL 7 stable eigenvalues become 5 without a label between V = 3'* ]]
   [[ $output == *'FAIL expected 1 TR, found 0'* ]]
+  run -0 judge '60,$d'
+  [[ $output == *'FAIL AUTO broke off at V = '* ]]
   run -0 judge '/^ +[1-9-]/d'
   [[ $output == *'FAIL AUTO computed no solution'* ]]
 }
