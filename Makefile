@@ -150,7 +150,8 @@ figures := fig06 fig07 fig09 fig10 fig12 fig13 fig14 fig15 filmstrip
 
 # beyond the paper, and not part of make figures
 parts_damping := planes search
-studies := damping
+parts_layouts := li3 li4 li5
+studies := damping layouts
 
 define figure_rules
 .PHONY: $(1) $(1).tables $(parts_$(1):%=$(1).%)
@@ -188,6 +189,7 @@ fig13: ## Figure 13: boundary points and largest width, layout LI1
 fig14: ## Figure 14: Hopf curves for several k_s and b, layout LI2
 fig15: ## Figure 15: zero-shimmy regions and largest width, layout LI2
 filmstrip: ## solutions A and B of Figure 6 over a period: the gear from above and behind
+layouts: ## layouts LI3, LI4 and LI5: diagrams, boundary points, widths (docs/layouts.md)
 damping: ## least damping ratios of every layout, a minute or two (docs/damping.md)
 
 # --- drawings of the gear and of each layout, docs/drawings ------------------

@@ -178,6 +178,18 @@ equal_widths() { # RUN RUN
     }') "build/runs/$1/b.$1" "build/runs/$2/b.$2"
 }
 
+# The b, to 0.001, at which the width of a run in b is largest, by a parabola through
+# AUTO's points.
+peak_width() { # RUN
+  awk -f scripts/auto.awk -f <(echo '
+    { b[NR] = value["b"]; w[NR] = value["width"]; if (w[NR] > w[at]) at = NR; last = NR }
+    END {
+      for (i = 1; i <= last; i++) if (i in b) { x[++n] = b[i]; y[n] = w[i]; if (i == at) k = n }
+      left = (y[k] - y[k - 1]) / (x[k] - x[k - 1]); right = (y[k + 1] - y[k]) / (x[k + 1] - x[k])
+      printf "%.3f", (x[k - 1] + x[k] - left * (x[k + 1] - x[k - 1]) / (right - left)) / 2
+    }') "build/runs/$1/b.$1"
+}
+
 # A run in b from points and unknowns; it reports the multiples of 10, and the b
 # of reports=B.
 widths() { # LAYOUT NUMBER CONSTANTS "POINT"... kappa=.. b=.. [KEY=VALUE ...]
@@ -195,6 +207,42 @@ widths() { # LAYOUT NUMBER CONSTANTS "POINT"... kappa=.. b=.. [KEY=VALUE ...]
   mapfile -t start < <(printf '%s\n' "${start[@]}")
   run "$name" "$constants" model="$layout.boundary" "$(unknowns "${start[@]}")" "${settings[@]}" \
     UZR="{'b': [$(seq -s ', ' 0 10 290)$reports]}" --
+}
+
+# The widest interval in b, as $figure.width.PREFIXn, from the curves at b = 0;
+# limited in turn by (docs/boundary.md)
+#  1 the onset of the delta region, until it is born below BP1,
+#  2 BP2_u reaching BP1, until the interval above BP2_u is the wider,
+#  3 the stationary width of that one, as long as it is wider than
+#  4 BP2_u reaching BP1 again, until that is an onset again,
+#  5 the onset, until the third psi region takes over from BP1,
+#  6 the onset above the third psi region, until it is born below its top,
+#  7 BP2_u reaching that top, until the region ends.
+# Each run starts where the last one ended.  LAST is the last one, where a layout goes
+# on otherwise; reports=B is for run 1.
+follow_widths() { # LAYOUT [PREFIX] [LAST] [reports=B]
+  local layout=$1 n=${2:-} last=${3:-7} at p equal
+  at=$(onset_of "$layout" 0)
+  mapfile -t p < <(solution "$at" LP)
+  widths "$layout" "${n}1" boundary.width "${p[0]}" "$(low_and_high "$layout" 0 "${p[1]}")" "${p[1]}" b=0 "$(stop_at "'gap': 0.0")" "${@:4}"
+  [ "$last" -gt 1 ] || return 0
+  mapfile -t p < <(solution "$figure.width.${n}1" last)
+  widths "$layout" "${n}2" boundary.width "${p[0]}" "${p[1]}" "${p[2]}" "${p[3]}" "${p[4]}" closing=1 "$(stop_at "'slope_1': 0.0")"
+  [ "$last" -gt 2 ] || return 0
+  mapfile -t p < <(solution "$figure.width.${n}2" last)
+  widths "$layout" "${n}3" boundary.width "${p[1]}" "${p[0]}" "${p[2]}" "${p[3]}" "${p[4]}" closing=2 DSMAX=0.01 "$(stop_at "'gap': 0.0")"
+  mapfile -t p < <(solution "$figure.width.${n}3" last)
+  # run 4 begins on the far side of the fold of run 3: first a look where it is the wider
+  run "$figure.width.${n}equal" boundary.width model="$layout.boundary" "$(unknowns "${p[1]}" "${p[0]}" "${p[2]}" "${p[3]}")" \
+    "${p[4]}" closing=1 DS=0.001 DSMAX=0.001 NMX=600 -- EP=1
+  equal=$(equal_widths "$figure.width.${n}3" "$figure.width.${n}equal")
+  widths "$layout" "${n}4" boundary.width "${p[1]}" "${p[0]}" "${p[2]}" "${p[3]}" "${p[4]}" closing=1 DS=0.001 "$(stop_at "'fold': 0.0")" reports="$equal"
+  mapfile -t p < <(solution "$figure.width.${n}4" last)
+  widths "$layout" "${n}5" boundary.rival "${p[0]}" "$(third "$layout" "${p[4]#b=}" "${p[3]}")" "${p[1]}" "${p[2]}" "${p[3]}" "${p[4]}" "$(stop_at "'rival': 0.0")"
+  mapfile -t p < <(solution "$figure.width.${n}5" last)
+  widths "$layout" "${n}6" boundary.width "${p[0]}" "${p[1]}" "${p[3]}" "${p[4]}" "${p[5]}" "$(stop_at "'gap': 0.0")"
+  mapfile -t p < <(solution "$figure.width.${n}6" last)
+  widths "$layout" "${n}7" boundary.width "${p[0]}" "${p[1]}" "${p[2]}" "${p[3]}" "${p[4]}" closing=1 DSMAX=0.1 "$(stop_at "'width': 100.0")"
 }
 
 # Rows of widths.csv from runs in b: the multiples of 10 and the points where the

@@ -81,8 +81,8 @@ diagram_rows() {
   for k_s; do curve_rows "$panel,$b,$k_s," "$figure.b$b.k$k_s"; done
 }
 
-begin_diagrams() { # LINE
-  begin_table "results/$figure.csv" "$1" \
+begin_diagrams() { # LINE [TABLE]
+  begin_table "${2:-results/$figure.csv}" "$1" \
     "# curve: number at that b (N m s^2/rad) and k_s (N m/rad; 1e30 is infinite); shimmy: what it bounds, psi or delta;" \
     "# V m/s; c_d N m s/rad; type LP: boundary point, an extremum of c_d along the curve. V from 0.1 to 200, c_d from" \
     "# 10 to 8e4; a closed curve ends on its first point." \

@@ -88,7 +88,8 @@ column() { # NAME of widths.csv, for the row LAYOUT B
 
 @test "no wider interval is to be had over k_s" {
   local layout b
-  for case in "li1 0" "li1 20" "li1 40" "li1 60" "li1 100" "li1 140" "li1 170" "li1 190" "li2 50" "li2 140" "li2 300"; do
+  for case in "li1 0" "li1 20" "li1 40" "li1 60" "li1 100" "li1 140" "li1 170" "li1 190" "li2 50" "li2 140" "li2 300" \
+    "li3 30" "li3 60" "li4 140" "li5 30" "li5 110"; do
     read -r layout b <<< "$case"
     near "$(column width "$layout" "$b")" "$("build/bin/scan-$layout" widest b="$b" | awk -F, 'NR == 2 { print $7 }')" 1e-6 "width of $layout at b = $b"
   done

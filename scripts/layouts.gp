@@ -1,0 +1,80 @@
+# layouts.gp - layouts LI3, LI4 and LI5 from results/layouts.csv, layouts_planes.csv,
+# layouts_branches.csv, boundary_points.csv and widths.csv
+load "scripts/regions.gp"
+layouts = "li3 li4 li5"
+name(l) = l eq "l2" ? "L2" : "LI" . l[3:3]
+value_of(l, c) = real(system(sprintf("awk -F, '$1==\"%s\" {print $%d; exit}' results/layouts_planes.csv", l, c)))
+# the widest interval in hand of layout l at k_s: c_lo and c_hi
+bound(l, c) = real(system(sprintf("awk -F, -v k=%g '$1==\"%s\" && $3!=\"inf\" {d=($3-k)^2; if(!n++||d<m){m=d; x=$%d}} END{print x}' results/layouts.csv", value_of(l, 3), l, c)))
+branch(l) = where("results/layouts_branches.csv", "layout", l)
+plane(l) = sprintf("< awk -F, '$1==\"%s\" {if($4!=last)print \"\"; last=$4; print}' results/layouts_planes.csv", l)
+widths(l) = sprintf("< awk -F, '$1==\"%s\" && $6>0' results/widths.csv", l)
+stable(y) = column(7) == 1 ? y : NaN
+is(type, y) = strcol(3) eq type ? y : NaN
+
+do for [ending in "png svg"] {
+  if (ending eq "png") { set terminal pngcairo size 1300,1600 font "DejaVu Sans,13" } \
+  else { set terminal svg size 1300,1600 font "DejaVu Sans,14" }
+  set output picture(ending)
+  set multiplot
+  do for [i=1:3] {
+    l = word(layouts, i)
+    set lmargin at screen 0.07 + 0.32*(i-1); set rmargin at screen 0.325 + 0.32*(i-1)
+    # (a) shimmy over V
+    set tmargin at screen 0.965; set bmargin at screen 0.795
+    set title sprintf("(a%d) %s: b = %g, k_s = %.3g MN m/rad", i, name(l), value_of(l, 2), mega*value_of(l, 3)) offset 0,-0.6
+    set xrange [0:100]; set xtics 20; set xlabel "V (m/s)" offset 0,0.4
+    set yrange [-0.4:16]; set ytics 5; set ylabel i == 1 ? "max ψ (deg)" : ""
+    set label 1 "c_d = 3.6·10^4" at graph 0.97,0.92 right
+    plot for [s in "straight psi delta"] branch(l) using (strcol(2) eq s ? column(4) : NaN):5 with lines ls 2, \
+         for [s in "straight psi delta"] branch(l) using (strcol(2) eq s ? column(4) : NaN):(stable(column(5))) with lines ls 1, \
+         branch(l) using 4:(is("HB", column(5))) with points ls 5, \
+         branch(l) using 4:(is("TR", column(5))) with points ls 6
+    unset label 1
+    # (b) the plane
+    set tmargin at screen 0.735; set bmargin at screen 0.565
+    set title sprintf("(b%d) %s: Hopf curves", i, name(l)) offset 0,-0.6
+    set yrange [10:8e4]; set logscale y; set format y "10^{%T}"; set ytics auto; set ylabel i == 1 ? "c_d (N m s/rad)" : ""
+    set object 1 rectangle from 0,bound(l, 4) to 100,bound(l, 5) fc rgb grey fs noborder behind
+    set label 1 "no shimmy" at 72,sqrt(bound(l, 4)*bound(l, 5)) center
+    plot plane(l) using 7:(strcol(5) eq "psi" ? column(8) : NaN) with lines ls 3, \
+         plane(l) using 7:(strcol(5) eq "delta" ? column(8) : NaN) with lines ls 3 dt (6,3), \
+         plane(l) using 7:(strcol(6) eq "LP" ? column(8) : NaN) with points ls 7
+    unset object 1; unset label 1; unset logscale y; set format y "%h"
+    # (c) boundary points and region over k_s
+    set tmargin at screen 0.505; set bmargin at screen 0.335
+    b = sprintf("%g", value_of(l, 2))
+    set title sprintf("(c%d) %s: boundary points, b = %s", i, name(l), b) offset 0,-0.6
+    if (i == 2) { set xrange [0.8:4]; set xtics 0.8 } else { set xrange [0.3:1.2]; set xtics 0.2 }
+    set xlabel "k_s (MN m/rad)" offset 0,0.4
+    set yrange [0:25]; set ytics 5; set ylabel i == 1 ? "c_d (kN m s/rad)" : ""
+    if (i == 1) {
+      set label 1 "BP3" at 0.95,22 right tc ls 13; set label 2 "BP1" at 0.5,1.9 tc ls 11
+      set label 3 "BP2_l, BP2_u" at 0.84,9 tc ls 12
+    }
+    if (i == 3) { set label 1 "third ψ region" at 1.17,3.3 right tc ls 14 }
+    plot region(l, b, "results/layouts.csv") using (mega*$1):(kilo*$2):(kilo*$3) with filledcurves fc rgb grey, \
+         curve(l, b, "BP3|meet") using (mega*$6):(kilo*$7) with lines ls 13, \
+         curve(l, b, "BP1|meet") using (mega*$6):(kilo*$7) with lines ls 11, \
+         curve(l, b, "BP2_l|BP2_u|onset") using (mega*$6):(kilo*$7) with lines ls 12, \
+         curve(l, b, "psi3|meet") using (mega*$6):(kilo*$7) with lines ls 14
+    unset label
+  }
+  # (d) the widest interval over b
+  set lmargin at screen 0.07; set rmargin at screen 0.965
+  set tmargin at screen 0.265; set bmargin at screen 0.045
+  set title "(d) largest width in damping over k_s" offset 0,-0.6
+  set xrange [0:200]; set xtics 20; set xlabel "b (N m s^2/rad)"
+  set yrange [0:25]; set ytics 5; set ylabel "width (kN m s/rad)"
+  set key left top horizontal samplen 2 autotitle
+  L2 = real(system("awk -F, '$1==\"li2\" && $2==0 {print $6}' results/widths.csv"))
+  plot kilo*L2 with lines lc rgb "#808080" lw 2 title "L2", \
+       widths("li1") using 2:(kilo*$6) with lines lc rgb "#808080" dt (2,3) lw 2 title "LI1", \
+       widths("li2") using 2:(kilo*$6) with lines lc rgb "#808080" dt (8,4) lw 2 title "LI2", \
+       widths("li3") using 2:(kilo*$6) with linespoints lc rgb "#d62728" lw 2 pt 7 ps 0.6 title "LI3", \
+       widths("li4") using 2:(kilo*$6) with linespoints lc rgb "#1f4fd8" lw 2 pt 7 ps 0.6 title "LI4", \
+       widths("li5") using 2:(kilo*$6) with linespoints lc rgb "#2a9d5c" lw 2 pt 7 ps 0.6 title "LI5"
+  set key noautotitle
+  unset multiplot
+  unset output
+}
