@@ -33,19 +33,23 @@ struct constants { const char *file; struct entry entry[MAX_ENTRIES]; int n; };
 struct item { char key[64], value[256]; };
 struct items { struct item item[MAX_ITEMS]; int n; };
 
-/* AUTO-07p 0.9.2, manual chapter 10; values that are names of parameters are
- * marked 'p', of parameters or states 'u'. */
-static const struct { const char *key; char names; } auto_constants[] = {
-  { "unames", 0 }, { "parnames", 0 }, { "U", 'u' },   { "PAR", 'p' },    { "ICP", 'p' },
-  { "UZR", 'p' },  { "UZSTOP", 'p' }, { "THL", 'p' }, { "THU", 'u' },    { "SP", 0 },
-  { "STOP", 0 },   { "NDIM", 0 },     { "IPS", 0 },   { "IRS", 0 },      { "ILP", 0 },
-  { "NTST", 0 },   { "NCOL", 0 },     { "IAD", 0 },   { "ISP", 0 },      { "ISW", 0 },
-  { "IPLT", 0 },   { "NBC", 0 },      { "NINT", 0 },  { "NMX", 0 },      { "NPR", 0 },
-  { "MXBF", 0 },   { "IIS", 0 },      { "IBR", 0 },   { "LAB", 0 },      { "IID", 0 },
-  { "ITMX", 0 },   { "ITNW", 0 },     { "NWTN", 0 },  { "JAC", 0 },      { "NPAR", 0 },
-  { "IADS", 0 },   { "DS", 0 },       { "DSMIN", 0 }, { "DSMAX", 0 },    { "EPSL", 0 },
-  { "EPSU", 0 },   { "EPSS", 0 },     { "RL0", 0 },   { "RL1", 0 },      { "A0", 0 },
-  { "A1", 0 },     { "e", 0 },        { "s", 0 },     { "dat", 0 },      { "sv", 0 },
+/* AUTO-07p 0.9.2, manual chapter 10.  form: 'i' a whole number, 'r' a number, 'l' a
+ * list, 'd' a dictionary, 'n' one of numbers, 't' a text or whatever AUTO makes of it;
+ * what is named is marked 'p', a parameter, or 'u', a parameter or a state. */
+static const struct auto_constant { const char *key; char form, names; } auto_constants[] = {
+  { "unames", 'd', 0 },   { "parnames", 'd', 0 }, { "U", 'n', 'u' },      { "PAR", 'n', 'p' },
+  { "ICP", 'l', 'p' },    { "UZR", 'n', 'p' },    { "UZSTOP", 'n', 'p' }, { "THL", 'n', 'p' },
+  { "THU", 'n', 'u' },    { "SP", 'l', 0 },       { "STOP", 'l', 0 },     { "NDIM", 'i', 0 },
+  { "IPS", 'i', 0 },      { "IRS", 't', 0 },      { "ILP", 'i', 0 },      { "NTST", 'i', 0 },
+  { "NCOL", 'i', 0 },     { "IAD", 'i', 0 },      { "ISP", 'i', 0 },      { "ISW", 'i', 0 },
+  { "IPLT", 'i', 0 },     { "NBC", 'i', 0 },      { "NINT", 'i', 0 },     { "NMX", 'i', 0 },
+  { "NPR", 'i', 0 },      { "MXBF", 'i', 0 },     { "IIS", 'i', 0 },      { "IBR", 'i', 0 },
+  { "LAB", 'i', 0 },      { "IID", 'i', 0 },      { "ITMX", 'i', 0 },     { "ITNW", 'i', 0 },
+  { "NWTN", 'i', 0 },     { "JAC", 'i', 0 },      { "NPAR", 'i', 0 },     { "IADS", 'i', 0 },
+  { "DS", 'r', 0 },       { "DSMIN", 'r', 0 },    { "DSMAX", 'r', 0 },    { "EPSL", 'r', 0 },
+  { "EPSU", 'r', 0 },     { "EPSS", 'r', 0 },     { "RL0", 'r', 0 },      { "RL1", 'r', 0 },
+  { "A0", 'r', 0 },       { "A1", 'r', 0 },       { "e", 't', 0 },        { "s", 't', 0 },
+  { "dat", 't', 0 },      { "sv", 't', 0 },
 };
 
 /* One line whatever it quotes, which may span lines in the file. */
@@ -67,15 +71,12 @@ static void bad_input(const char *file, int line, const char *format, ...)
   exit(STATUS_BAD_INPUT);
 }
 
-static int is_auto_constant(const char *key, char *names)
+static const struct auto_constant *find_constant(const char *key)
 {
   for (size_t i = 0; i < sizeof auto_constants / sizeof *auto_constants; i++)
-    if (strcmp(key, auto_constants[i].key) == 0) {
-      if (names)
-        *names = auto_constants[i].names;
-      return 1;
-    }
-  return 0;
+    if (strcmp(key, auto_constants[i].key) == 0)
+      return &auto_constants[i];
+  return NULL;
 }
 
 static const struct mlg_parameter *find_parameter(const char *name)
@@ -200,7 +201,7 @@ static void parse(struct constants *c, const char *file)
         bad_input(file, line, "%s: a bracket or quote is left open", key);
       if (end == value)
         bad_input(file, line, "%s has no value", key);
-      if (!is_auto_constant(key, NULL))
+      if (!find_constant(key))
         bad_input(file, line, "'%s' is not an AUTO constant (see the AUTO manual, chapter 10)", key);
       if (get(c, key))
         bad_input(file, line, "%s is given twice; AUTO would take the last", key);
@@ -363,11 +364,70 @@ static const char *name_of(const char *text, const struct items *parnames)
   return text;
 }
 
+/* The value, or each of a list of them, that a dictionary gives to a name. */
+static void check_numbers(const struct constants *c, const struct entry *e, const struct item *it)
+{
+  static struct items numbers;
+  const struct entry value = { e->key, it->value, e->line };
+  double x;
+
+  split(c, &value, &numbers);
+  if (!it->value[0])
+    bad_input(c->file, e->line, "%s: %s has no value; expected {name: value, ...}", e->key, it->key);
+  for (int i = 0; i < numbers.n; i++)
+    if (numbers.item[i].key[0] || !is_number(numbers.item[i].value, &x))
+      bad_input(c->file, e->line, "%s: %s = %s is not a finite number", e->key, it->key, it->value);
+}
+
+/* Whether text names points by type, and perhaps by number: HB, HB2. */
+static int is_point(const char *text)
+{
+  static const char *const types[] = {
+    "BP", "LP", "HB", "PD", "TR", "UZ", "EP", "MX", "BT", "CP", "GH", "ZH", "R1", "R2", "R3", "R4",
+  };
+
+  text += *text == '-';
+  for (size_t i = 0; i < sizeof types / sizeof *types; i++)
+    if (strncmp(text, types[i], 2) == 0)
+      return 1;
+  return 0;
+}
+
+/* Whether a value, its items split, has the form that AUTO reads. */
+static void check_form(const struct constants *c, const struct entry *e, char form, const struct items *items)
+{
+  double x;
+  long n;
+
+  if (form == 'i' || form == 'r') {
+    if (!is_number(e->value, &x))
+      bad_input(c->file, e->line, "%s = %s is not a finite number", e->key, e->value);
+    if (form == 'i' && !is_integer(e->value, &n))
+      bad_input(c->file, e->line, "%s = %s is not a whole number", e->key, e->value);
+  } else if (form == 'l') {
+    if (e->value[0] != '[')
+      bad_input(c->file, e->line, "%s = %s is no list; expected [name, ...]", e->key, e->value);
+    for (int k = 0; k < items->n; k++)
+      if (items->item[k].key[0])
+        bad_input(c->file, e->line, "%s: '%s:' in a list; expected [name, ...]", e->key, items->item[k].key);
+  } else if (form == 'd' || form == 'n') {
+    if (e->value[0] != '{')
+      bad_input(c->file, e->line, "%s = %s is no dictionary; expected {name: value, ...}", e->key, e->value);
+    for (int k = 0; k < items->n; k++) {
+      if (!items->item[k].key[0])
+        bad_input(c->file, e->line, "%s: '%s' without a name; expected {name: value, ...}", e->key,
+                  items->item[k].value);
+      for (int j = 0; j < k; j++)
+        if (strcmp(items->item[j].key, items->item[k].key) == 0)
+          bad_input(c->file, e->line, "%s: %s is given twice", e->key, items->item[k].key);
+    }
+  }
+}
+
 static void check(const struct constants *c)
 {
   static struct items parnames, unames, items;
   const struct entry *e;
-  double x;
   long ndim, isw;
   const int curve = (e = get(c, "ISW")) && is_integer(e->value, &isw) && labs(isw) == 2;
 
@@ -385,27 +445,34 @@ static void check(const struct constants *c)
       bad_input(c->file, e->line, "NDIM = %ld, but unames names %d states", ndim, unames.n);
   }
   for (int i = 0; i < c->n; i++) {
-    char names;
+    const struct auto_constant *constant;
 
     e = &c->entry[i];
-    if (isupper((unsigned char)e->key[0]) && strcmp(e->key, "IRS") != 0 && e->value[0] != '['
-        && e->value[0] != '{' && !is_number(e->value, &x))
-      bad_input(c->file, e->line, "%s = %s is not a finite number", e->key, e->value);
-    if (!is_auto_constant(e->key, &names) || !names)
-      continue;
+    constant = find_constant(e->key);
     split(c, e, &items);
+    check_form(c, e, constant->form, &items);
+    if (strcmp(e->key, "ICP") == 0 && items.n == 0)
+      bad_input(c->file, e->line, "ICP names no parameter to continue");
+    for (int k = 0; k < items.n && (strcmp(e->key, "SP") == 0 || strcmp(e->key, "STOP") == 0); k++)
+      if (!is_point(items.item[k].value))
+        bad_input(c->file, e->line, "%s: '%s' is no type of point; expected HB, LP2, ...", e->key,
+                  items.item[k].value);
+    if (!constant->names)
+      continue;
     for (int k = 0; k < items.n; k++) {
       const struct item *it = &items.item[k];
       const char *name = name_of(it->key[0] ? it->key : it->value, &parnames);
       const int set = strcmp(e->key, "PAR") == 0;
       const int continued = strcmp(e->key, "ICP") == 0 && k <= curve;
 
-      check_name(c, e, name, &parnames, &unames, names);
+      check_name(c, e, name, &parnames, &unames, constant->names);
       if ((set || continued) && result(name))
         bad_input(c->file, e->line, "%s: %s is a result (%s); it cannot be %s", e->key, name,
                   result(name), set ? "set" : "continued");
       if (set)
         check_value(c, e, name, it->value);
+      else if (constant->form == 'n')
+        check_numbers(c, e, it);
     }
   }
 }
@@ -540,7 +607,7 @@ int main(int argc, char *argv[])
       set_layout(&c, value);
     else if (find_parameter(name) || is_named(&c, "parnames", name)) /* before AUTO's constant e */
       put_parameter(&c, name, value);
-    else if (is_auto_constant(name, NULL))
+    else if (find_constant(name))
       set(&c, name, value, 0);
     else
       bad_input(argv[1], 0, "'%s' is neither an AUTO constant nor a parameter (parnames, models/mlg.h)",

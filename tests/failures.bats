@@ -89,6 +89,16 @@ fails() {
   refuses_file "$(line parnames)" "parnames: PAR(2) is called 'c_q'; its name is c_d" "/^parnames/s/'c_d'/'c_q'/"
 }
 
+@test "values of a form that AUTO does not read" {
+  refuses_file "$(line NMX)" "NMX = 50.5 is not a whole number" '/^NMX/s/5000/50.5/'
+  refuses_file "$(line UZSTOP)" "UZSTOP: V = abc is not a finite number" '/^UZSTOP/s/200.0/abc/'
+  refuses_file "$(line UZSTOP)" "UZSTOP: V has no value*" '/^UZSTOP/s/200.0//'
+  refuses_file "$(line UZSTOP)" "UZSTOP = \['V'\] is no dictionary*" "s/^UZSTOP.*/UZSTOP = ['V']/"
+  refuses_file "$(line UZSTOP)" "STOP: 'HX1' is no type of point*" "s/^UZSTOP.*/STOP = ['HX1']/"
+  refuses_file "$(line PAR)" "PAR: V is given twice" "/^PAR/s/'c_d'/'V'/"
+  refuses_file "$(line ICP)" "ICP names no parameter*" "s/^ICP.*/ICP = []/"
+}
+
 @test "states that are not as many as NDIM" {
   refuses_file "$(line NDIM)" "NDIM = 8, but unames names 7 states" '/^NDIM/s/7/8/'
 }
