@@ -48,7 +48,7 @@ setup: build/auto.mk ## packages and AUTO only
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
-need_test_packages := bench test% check-scripts certify% verify damping% build/bin/damping-% $(integrating) $(integrating:%=build/bin/%-%)
+need_test_packages := bench sections test% check-scripts certify% verify damping% build/bin/damping-% $(integrating) $(integrating:%=build/bin/%-%)
 auto_given := $(AUTO_DIR)
 ifneq ($(filter-out help clean distclean libmlg build/lib/% drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
@@ -88,7 +88,10 @@ $(eval $(call tool_rule,damping,$(lapack)))
 # programs on scripts/integrate.h
 $(foreach tool,$(integrating),$(eval $(call tool_rule,$(tool),$(sundials))))
 
-.PHONY: simulate
+.PHONY: simulate sections
+sections: simulate $(models) ## what follows past the torus points of Figure 6 (docs/simulate.md)
+	@scripts/sections.sh
+
 simulate: $(layouts:%=build/bin/simulate-%) ## layouts in time from any start, build/bin/simulate-* (docs/simulate.md)
 
 build/models/%.exe: build/models/%.o
