@@ -10,7 +10,7 @@
  *   integrator_begin(&run, 1e-10);
  *   integrator_section(&run, DPSI, -1);              peaks of psi
  *   integrator_start(&run, par, u);                  at t = 0; again as often as wanted
- *   while ((reached = integrator_advance(&run, t_end)) != AT_TIME)
+ *   while ((reached = integrator_advance(&run, t_end)) > AT_TIME)
  *     ...                                            run.t, run.u: a peak, or a limit
  *   integrator_end(&run);
  *
@@ -23,6 +23,7 @@
  * The tyre's self-aligning moment has a slope jump where a slip angle passes
  * alpha_m (26).  CVODE locates that time and starts anew there, for its formulas
  * assume smoothness; such limits are counted, and a run says when it meets one.
+ * (Past it and back within one step goes unseen, at the error the step allows.)
  */
 #ifndef MLG_INTEGRATE_H
 #define MLG_INTEGRATE_H
@@ -194,7 +195,7 @@ static inline enum reached integrator_advance(struct integrator *run, double t)
   CVodeGetRootInfo(run->cvode, roots);
   if (!roots[LIMIT_L] && !roots[LIMIT_R])
     return AT_SECTION;
-  run->limits++;
+  run->limits += (roots[LIMIT_L] != 0) + (roots[LIMIT_R] != 0);
   CVodeReInit(run->cvode, run->t, run->vector);
   return AT_LIMIT;
 }

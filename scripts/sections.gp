@@ -40,7 +40,7 @@ do for [ending in "png svg"] {
        rows("psi", "29") using (mm*$5):4 with points @stable title "stable", \
        rows("delta", "29") using (mm*$5):4 with points @stable
   set title "(d)  the tori between the torus points, c_d = 3.6×10^4 N m s/rad" offset 0,-0.6
-  set xlabel "V (m/s)"; set ylabel "max ψ (deg)" offset 0.8,0
+  set xlabel "V (m/s)"; set ylabel "max ψ (deg)" offset -0.3,0
   set xrange [25:34.5]; set yrange [-0.1:4]; set ytics 1
   plot for [b in "psi delta"] branch(b) using 4:(if_stable($5, 1)) with lines ls 1, \
        for [b in "psi delta"] branch(b) using 4:(if_stable($5, 0)) with lines ls 2, \

@@ -215,7 +215,7 @@ static void print_growth(void)
   struct line all = { 0 }, half[2] = { { 0 } };
   double t_first = 0., t_last = 0., first = 0., last = 0.;
 
-  advance(0.5 * t_end);
+  next_crossing(0.5 * t_end); /* there is no section yet */
   integrator_section(&run, DPSI, -1);
   while (next_crossing(t_end)) {
     if (!(run.u[PSI] > 0.))

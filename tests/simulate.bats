@@ -87,6 +87,14 @@ refuses() {
   paste -d ' ' <(head -n 1 closed | xargs -n 1) <(tail -n 1 closed | xargs -n 1) | near_each 1e-5 'state after a period'
 }
 
+@test "past a torus point the gear goes over to the other orbit, as results/tori.csv says" {
+  local row
+  row=$(grep '^45000,32.8,delta,psi,' results/tori.csv)
+  simulate l1 orbit c_d=4.5e4 V=32.8 delta=0.01 >orbit.csv
+  near "$(numbers psi_max < orbit.csv)" "$(cut -d, -f5 <<<"$row")" 1e-5 psi_max
+  near "$(numbers dstar_max < orbit.csv)" "$(cut -d, -f6 <<<"$row")" 1e-5 dstar_max
+}
+
 @test "layouts that coincide move alike: LI1 and LI2 at b = 0 as L2" {
   local layout
   for layout in l2 li1 li2; do
