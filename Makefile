@@ -5,9 +5,9 @@
 # AUTO_DIR=/path uses an AUTO-07p that is there; AUTO_TARBALL=file builds from
 # that tarball; otherwise AUTO is fetched and built in build/auto.
 
-# -Werror is for the tests alone: a newer compiler has warnings of its own.  Other
+# -Werror goes with the tests alone: a newer compiler has warnings of its own.  Other
 # CFLAGS leave C11 in force, for auto_f2c.h does not go with the C23 of newer ones.
-CFLAGS = -O2 -Wall -Wextra -Wpedantic
+CFLAGS = -O2 -Wall -Wextra -Wpedantic $(if $(filter test% check%,$(goals)),-Werror)
 override CFLAGS += -std=c11
 TEST_CFLAGS = -O1 -g -std=c11 -Wall -Wextra -Wpedantic -Werror -fsanitize=address,undefined \
               -fno-sanitize-recover=all
@@ -154,7 +154,8 @@ figures := fig06 fig07 fig09 fig10 fig12 fig13 fig14 fig15 filmstrip
 # beyond the paper, and not part of make figures
 parts_damping := planes search
 parts_layouts := li3 li4 li5
-studies := damping layouts
+parts_certify := l1 l2 li1 li2
+studies := damping layouts certify
 
 define figure_rules
 .PHONY: $(1) $(1).tables $(parts_$(1):%=$(1).%)
@@ -175,6 +176,7 @@ fig07.torus_psi_up fig07.torus_psi_down fig07.torus_delta filmstrip.orbits: fig0
 fig10: fig09.tables
 
 $(parts_damping:%=damping.%): $(layouts:%=build/bin/damping-%)
+$(parts_certify:%=certify.%): $(foreach tool,eigen search,$(layouts:%=build/bin/$(tool)-%))
 
 # what the figures share, of those asked for
 asked := $(filter $(figures) $(studies),$(goals))
@@ -194,6 +196,7 @@ fig15: ## Figure 15: zero-shimmy regions and largest width, layout LI2
 filmstrip: ## solutions A and B of Figure 6 over a period: the gear from above and behind
 layouts: ## layouts LI3, LI4 and LI5: diagrams, boundary points, widths (docs/layouts.md)
 damping: ## least damping ratios of every layout, a minute or two (docs/damping.md)
+certify: ## do oscillations reach into the zero-shimmy regions? (docs/certification.md)
 
 # --- drawings of the gear and of each layout, docs/drawings ------------------
 drawings: $(layouts:%=docs/drawings/%.svg) docs/drawings/gear.svg ## docs/drawings: the gear and each layout's device
@@ -205,19 +208,6 @@ docs/drawings/gear.svg: build/bin/gear
 docs/drawings/%.svg: build/bin/draw-%
 	@mkdir -p $(@D)
 	@$< > build/$(@F) && mv build/$(@F) $@
-
-# --- beyond the paper ----------------------------------------------------------
-regions := l1 l2 li1 li2
-
-.PHONY: certify certify-programs $(regions:%=certify.%)
-certify-programs: $(models) $(layouts:%=build/bin/search-%) $(layouts:%=build/bin/eigen-%)
-
-$(regions:%=certify.%): certify.%: certify-programs
-	@scripts/certify.sh runs $*
-
-certify: $(regions:%=certify.%) ## do oscillations reach into the zero-shimmy regions?
-	@scripts/certify.sh tables
-	@scripts/certify.sh draw
 
 # --- tests -----------------------------------------------------------------
 # One program for each tests/test_*.c; of test_layout.c one for each layout, and
@@ -266,7 +256,7 @@ $(tests): build/tests/%: tests/test_%.c build/auto.mk Makefile
 	@$(call compiled,$(CC) $(TEST_CFLAGS) $(to_test) $< -lcmocka $(with) -lm)
 
 build/tests/integrate: with = $(sundials)
-build/tests/criticality: with = -llapacke -llapack
+build/tests/criticality: with = $(lapack)
 build/tests/fuzz: with = build/lib/libmlg.a
 build/tests/fuzz: build/lib/libmlg.a
 

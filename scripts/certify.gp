@@ -1,11 +1,11 @@
-# certify.gp - beyond linear theory, from results/cycles.csv, folds.csv, certified.csv,
+# certify.gp - beyond linear theory, from results/cycles.csv, folds.csv, certify.csv,
 # criticality.csv and fig07.csv
 kilo = 1e-3 # axes in kN m s/rad
 # cycles.csv: 1 layout, 4 branch, 5 type, 6 V, 7 c_d, 8 psi_max, 10 stable.  The orbits of
 # one layout with that stability along c_d, a block for each unbroken stretch.
 cycles(layout, stable) = sprintf("< awk -F, '$1==\"%s\"&&$4~/^V/{if($4!=branch||($10!=%d))print \"\"; if($4==branch&&$10==%d&&was!=%d)print last; if($10==%d)print; branch=$4; was=$10; last=$0}' results/cycles.csv", layout, stable, stable, stable, stable)
 curve(name) = where("results/fig07.csv", "curve", name)
-bound(layout, column) = real(system(sprintf("awk -F, '$1==\"%s\"{print $%d}' results/certified.csv", layout, column)))
+bound(layout, column) = real(system(sprintf("awk -F, '$1==\"%s\"{print $%d}' results/certify.csv", layout, column)))
 array layouts[4] = ["l1", "l2", "li1", "li2"]
 array titles[4] = ["(a) L1", "(b) L2, k_s = 7.86·10^5 N m/rad", "(c) LI1, k_s = 6.38·10^5 N m/rad, b = 140 N m s^2/rad", "(d) LI2, k_s = 2.48·10^6 N m/rad, b = 140 N m s^2/rad"]
 array colours[4] = ["#000000", "#e08214", "#2a9d5c", "#7b3fa0"]
@@ -13,7 +13,7 @@ array colours[4] = ["#000000", "#e08214", "#2a9d5c", "#7b3fa0"]
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1300,1500 font "DejaVu Sans,13" } \
   else { set terminal svg size 1300,1500 font "DejaVu Sans,14" }
-  set output sprintf("results/certify.%s", ending)
+  set output picture(ending)
   set multiplot layout 3,2 margins 0.07,0.98,0.05,0.96 spacing 0.09,0.075
   set logscale xy
   set xrange [0.1:80]; set yrange [0.05:25]

@@ -12,13 +12,14 @@
 #   - the folds of these cycles in the (V, c_d) plane
 #   - what becomes of large disturbances inside the interval, by time integration
 # Needs:  SUNDIALS and LAPACK, which make certify sees to.
-# Writes: results/certified.csv (a row a region), results/cycles.csv, results/folds.csv,
+# Writes: results/certify.csv (a row a region), results/cycles.csv, results/folds.csv,
 #         results/criticality.csv, results/certify.png and .svg
 # Expect: every Hopf point supercritical; folds of cycles only below the intervals,
 #         the nearest at 0.73 of c_lo (L1); no cycle inside; every start falls.
 . "$(dirname "$0")/lib.sh"
 . scripts/boundary.sh
 . scripts/curves.sh
+[ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent models build/bin/{eigen,search}-{l1,l2,li1,li2}
 
 readonly layouts="l1 l2 li1 li2"
 readonly speeds="5 8 11 16 24 36 60 100 150" # m/s
@@ -104,7 +105,6 @@ folds() { # LAYOUT
 
 certify_region() { # LAYOUT
   local k_s b c_lo c_hi list="build/runs/certify.$1.list" search="build/tables/search.$1.csv" stamp
-  [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent certify-programs
   region "$1"
   use "build/bin/"{scan,eigen,search}"-$1" "$search" "$list"
   hopf_curves "$1" "certify.$1.hopf" k_s="$k_s" b="$b"
@@ -198,7 +198,7 @@ certified_row() { # LAYOUT
 
 tables() {
   local layout k_s b c_lo c_hi
-  local criticality=results/criticality.csv cycles=results/cycles.csv folds=results/folds.csv certified=results/certified.csv
+  local criticality=results/criticality.csv cycles=results/cycles.csv folds=results/folds.csv certify=results/certify.csv
   printf '%s\n' "# Hopf points of the curves that bound the zero-shimmy regions. V m/s, c_d N m s/rad, a 1/s per rad^2 of psi:" \
     "# r' = sigma r + a r^3 for the amplitude r of psi beside the point; a < 0 supercritical (tests/criticality.h)." \
     layout,k_s,b,curve,V,c_d,frequency_hz,delta_over_psi,a > "$criticality.new"
@@ -220,12 +220,12 @@ tables() {
     "# up to psi_max deg and dstar_max m; the nearest fold of cycles; starts inside, up to psi_start deg and dstar_start m" \
     "# in their first 2 s; how many were sustained; rate_least: slowest fall of the size at the end, 1/s." \
     layout,k_s,b,c_lo,c_hi,hopf_points,a_largest,cycles,cycles_inside,psi_max,dstar_max,fold_V,fold_c_d,starts,psi_start,dstar_start,sustained,rate_least \
-    > "$certified.new"
+    > "$certify.new"
   for layout in $layouts; do
     region "$layout"
-    certified_row "$layout" >> "$certified.new"
+    certified_row "$layout" >> "$certify.new"
   done
-  for layout in "$criticality" "$cycles" "$folds" "$certified"; do replace "$layout"; done
+  for layout in "$criticality" "$cycles" "$folds" "$certify"; do replace "$layout"; done
 }
 
 main certify "$@"
