@@ -17,8 +17,8 @@
 # Expect: every Hopf point supercritical; folds of cycles only below the intervals,
 #         the nearest at 0.73 of c_lo (L1); no cycle inside; every start falls.
 . "$(dirname "$0")/lib.sh"
-. scripts/boundary.sh
 . scripts/curves.sh
+# shellcheck disable=SC2028 # text for awk
 [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent models build/bin/{eigen,search}-{l1,l2,li1,li2}
 
 readonly layouts="l1 l2 li1 li2"
@@ -33,7 +33,7 @@ region() { # LAYOUT
     li1) k_s=6.38e5 b=140 ;;
     li2) k_s=2.48e6 b=140 ;; # just below the k_s at which its delta region is born
   esac
-  IFS=, read -r c_lo c_hi _ < <("build/bin/scan-$1" intervals k_s=$k_s b=$b | sed -n 2p)
+  IFS=, read -r c_lo c_hi _ < <("build/bin/scan-$1" intervals k_s="$k_s" b="$b" | sed -n 2p)
 }
 
 # Hopf points along one parameter, from eigenvalues: "VALUE loses" or "VALUE regains".
@@ -147,7 +147,7 @@ cycle_rows() { # LAYOUT
   local name
   while read -r name; do
     use_run "$name"
-    awk -v head="$1,$k_s,$b,${name#certify.$1.}" -f scripts/auto.awk -f <(echo '
+    awk -v head="$1,$k_s,$b,${name#certify."$1".}" -f scripts/auto.awk -f <(echo '
       { shown = type == "LP" ? "LP" : ""; last = "" }
       function text() { return sprintf("%s,%s,%.6g,%.8g,%.6g,%.6g,%d", head, shown, value["V"], value["c_d"], value["psi_max"], value["dstar_max"], stable) }
       n++ % 6 == 0 || shown { print text(); next }
