@@ -126,7 +126,7 @@ TEXT
     "A wide interval is no sign of good damping: where it is widest the delta region is about to be born, and the delta mode is damped by nearly nothing. The best c_d and k_s give $(number %.1e damping zeta layout=l1 choice=paper) with L1, $(number %.1e damping zeta layout=l2 choice=best) with L2, $(number %.1e damping zeta layout=li1 choice=best b=140) with LI1 and $(number %.1e damping zeta layout=li2 choice=best b=140) with LI2 at b = 140 N m s^2/rad."
   picture certify "Large shimmy beside the zero-shimmy interval" \
     "The largest psi of the cycles that begin at the Hopf curves, over c_d at nine speeds ([how](../docs/certification.md)). Blue solid: stable, red dashed: unstable; black dots: folds of cycles; grey: the zero-shimmy interval." \
-    "No branch of cycles enters the grey interval, however large it grows. Where branches turn back over stable rolling, and a large disturbance alone could start shimmy, the folds stay away from it: with L1 the nearest is at c_d = $(number %.0f certified fold_c_d layout=l1) N m s/rad, the interval begins at $(number %.0f certified c_lo layout=l1)."
+    "No branch of cycles enters the grey interval, however large it grows. Where branches turn back over stable rolling, and a large disturbance alone could start shimmy, the folds stay away from it: with L1 the nearest is at c_d = $(number %.0f certify fold_c_d layout=l1) N m s/rad, the interval begins at $(number %.0f certify c_lo layout=l1)."
   cat <<TEXT
 ## Paper against computed
 
