@@ -36,9 +36,9 @@ handovers() {
   awk -F, '$1 == "li1" && $2 % 10 != 0 { printf "%s%.5g", n++ ? ", " : "", $2 }' results/widths.csv
 }
 
-# The b at which LI1 has its largest width.
-best() {
-  awk -F, '$1 == "li1" && $6 > w { w = $6; b = $2 } END { print b }' results/widths.csv
+# The b at which a layout has its largest width.
+best() { # LAYOUT
+  awk -F, -v layout="$1" '$1 == layout && $6 > w { w = $6; b = $2 } END { print b }' results/widths.csv
 }
 
 layouts() { grep -l '^#include "plugin.h"' models/*.c | sed 's|.*/||; s|\.c$||'; }
@@ -49,7 +49,7 @@ picture() {
   printf '### %s\n\n![%s](%s.png)\n\n%s\n\n**What to see.** %s\n\n' "$2" "$2" "$1" "$3" "$4"
 }
 
-best=$(best)
+best=$(best li1)
 
 {
   cat <<TEXT
@@ -127,6 +127,9 @@ TEXT
   picture certify "Large shimmy beside the zero-shimmy interval" \
     "The largest psi of the cycles that begin at the Hopf curves, over c_d at nine speeds ([how](../docs/certification.md)). Blue solid: stable, red dashed: unstable; black dots: folds of cycles; grey: the zero-shimmy interval." \
     "No branch of cycles enters the grey interval, however large it grows. Where branches turn back over stable rolling, and a large disturbance alone could start shimmy, the folds stay away from it: with L1 the nearest is at c_d = $(number %.0f certify fold_c_d layout=l1) N m s/rad, the interval begins at $(number %.0f certify c_lo layout=l1)."
+  picture layouts "Three more devices: layouts LI3, LI4 and LI5" \
+    "(a) Shimmy along V at c_d = 3.6e4 N m s/rad; blue solid: stable, red dashed: unstable; red dots: Hopf points; (b) Hopf curves and zero-shimmy interval (grey), black dots: boundary points; (c) boundary points and zero-shimmy region over k_s; (d) largest width over k_s, beside the paper's layouts ([more](../docs/layouts.md))." \
+    "An inerter across the whole device (LI3) needs little inertance: $(number %.1f widths width layout=li3 b="$(best li3)") N m s/rad, $(gain li3 "$(best li3)") % more than L2, at b = $(number %.2f widths b layout=li3 b="$(best li3)") N m s^2/rad, and nothing is left at b = 90. LI4 goes on growing as LI2 does, a little below it. LI5 goes the way of LI1 and stays below L2: at most $(number %.1f widths width layout=li5 b="$(best li5)"), at b = $(number %.2f widths b layout=li5 b="$(best li5)")."
   cat <<TEXT
 ## Paper against computed
 

@@ -88,3 +88,24 @@ as_written() {
     [ "$(gcc -fpreprocessed -dD -E -P "$file" | grep -vc '^ *$')" -lt 40 ] || { echo "$file" && return 1; }
   done
 }
+
+## LI3, LI4 and LI5
+
+# numbers FILE: those of its rows for LI3, LI4 and LI5, one a line
+numbers() {
+  grep '^li[345],' "$1" | tr , '\n' | grep -E '^[0-9.]+(e[+-]?[0-9]+)?$'
+}
+
+@test "scripts/layouts.sh makes the tables of record" {
+  local table recorded made
+  cp -rp "$ROOT/results" recorded
+  scripts/layouts.sh runs
+  scripts/layouts.sh tables
+  for table in layouts layouts_planes layouts_branches widths; do
+    recorded=recorded/$table.csv made=results/$table.csv
+    [ "$table" != widths ] || made=build/tables/widths.layouts.csv
+    [ "$(grep -c '^li[345],' "$recorded")" -eq "$(grep -c '^li[345],' "$made")" ]
+    paste -d ' ' <(numbers "$made") <(numbers "$recorded") >pairs
+    awk -v made="$made" '($1 - $2) ^ 2 > (1e-4 * $2) ^ 2 + 1e-12 { print made, $0; bad = 1 } END { exit bad || !NR }' pairs
+  done
+}
