@@ -18,6 +18,7 @@ export MLG_BUILT = yes
 layouts := $(patsubst models/%.c,%,$(shell grep -l '^#include "plugin.h"' models/*.c))
 models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.exe) \
           $(layouts:%=build/bin/scan-%) $(layouts:%=build/bin/curves-%) build/bin/constants
+damped := damping transients
 integrating := simulate search
 sundials = -lsundials_cvode -lsundials_nvecserial
 lapack = -llapacke -llapack
@@ -48,7 +49,7 @@ setup: build/auto.mk ## packages and AUTO only
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
-need_test_packages := bench sections test% check-scripts certify% verify damping% build/bin/damping-% $(integrating) $(integrating:%=build/bin/%-%)
+need_test_packages := bench sections test% check-scripts certify% verify $(damped) $(foreach study,$(damped),$(study).% build/bin/$(study)-%) $(integrating) $(integrating:%=build/bin/%-%)
 auto_given := $(AUTO_DIR)
 ifneq ($(filter-out help clean distclean libmlg build/lib/% drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
@@ -82,8 +83,9 @@ build/bin/$(1)-%: scripts/$(1).c models/%.c Makefile
 endef
 $(foreach tool,scan curves draw,$(eval $(call tool_rule,$(tool))))
 
-# the program on scripts/damping.h
+# programs on scripts/damping.h
 $(eval $(call tool_rule,damping,$(lapack)))
+$(eval $(call tool_rule,transients,$(lapack) $(sundials)))
 
 # programs on scripts/integrate.h
 $(foreach tool,$(integrating),$(eval $(call tool_rule,$(tool),$(sundials))))
@@ -153,9 +155,10 @@ figures := fig06 fig07 fig09 fig10 fig12 fig13 fig14 fig15 filmstrip
 
 # beyond the paper, and not part of make figures
 parts_damping := planes search
+parts_transients := paper best
 parts_layouts := li3 li4 li5
 parts_certify := l1 l2 li1 li2
-studies := damping layouts certify
+studies := $(damped) layouts certify
 
 define figure_rules
 .PHONY: $(1) $(1).tables $(parts_$(1):%=$(1).%)
@@ -176,6 +179,7 @@ fig07.torus_psi_up fig07.torus_psi_down fig07.torus_delta filmstrip.orbits: fig0
 fig10: fig09.tables
 
 $(parts_damping:%=damping.%): $(layouts:%=build/bin/damping-%)
+$(parts_transients:%=transients.%): damping.tables $(layouts:%=build/bin/transients-%)
 $(parts_certify:%=certify.%): $(foreach tool,eigen search,$(layouts:%=build/bin/$(tool)-%))
 
 # what the figures share, of those asked for
@@ -196,6 +200,7 @@ fig15: ## Figure 15: zero-shimmy regions and largest width, layout LI2
 filmstrip: ## solutions A and B of Figure 6 over a period: the gear from above and behind
 layouts: ## layouts LI3, LI4 and LI5: diagrams, boundary points, widths (docs/layouts.md)
 damping: ## least damping ratios of every layout, a minute or two (docs/damping.md)
+transients: ## peaks and settling times after a disturbance, a minute more (docs/damping.md)
 certify: ## do oscillations reach into the zero-shimmy regions? (docs/certification.md)
 
 # --- drawings of the gear and of each layout, docs/drawings ------------------
@@ -223,7 +228,7 @@ test: test-programs ## every test; tests/run.sh runs some of them
 	@tests/run.sh
 
 test-programs: $(models) $(libraries) $(tests) $(layout_tests) $(oracles) \
-               $(foreach tool,draw damping,$(layouts:%=build/bin/$(tool)-%)) build/bin/gear \
+               $(foreach tool,draw $(damped),$(layouts:%=build/bin/$(tool)-%)) build/bin/gear \
                $(foreach tool,$(integrating),$(layouts:%=build/bin/$(tool)-%))
 
 check-pages: page ## the page in headless Chromium, at the widths of a phone and of a desk

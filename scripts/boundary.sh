@@ -74,6 +74,14 @@ curves_of() { # LAYOUT B: the b. files of its curves
   sed 's|.*|build/runs/&/b.&|' "$list"
 }
 
+# A run from a boundary point, "V c_d frequency", to the one of the damping ratio ZETA:
+# its UZ.  zeta is weighted like logc, so that a step moves both.
+to_damping_ratio() { # RUN LAYOUT "POINT" ZETA [PARAMETER=VALUE ...]
+  run "$1" boundary.point model="$2.boundary" "$(unknowns "$3")" "${@:5}" \
+    ICP="['zeta', 'V_1', 'c_1', 'f_1', 'ratio_1', 'compliance']" THL="{'zeta': 1e6}" DS=1e-4 DSMAX=2e-3 \
+    UZSTOP="{'zeta': $4}" -- UZ=1
+}
+
 # --- tables -------------------------------------------------------------------
 
 # Opens results/FIGURE.csv for regions, and the figure's parts of

@@ -13,17 +13,9 @@
 
 stiffness=compliance=0:0.35 damper=c_d=100:4e4 # where the best damped gear is looked for
 
-# made NAME LAYOUT COMMAND...: the output of COMMAND as build/tables/damping.NAME.csv,
-# made again when the layout's programs, this script or results/widths.csv changed
-made() {
-  local file=build/tables/damping.$1.csv started=${EPOCHREALTIME/./}
-  use "$file" "build/bin/damping-$2"
-  if is_made "damping.$1.csv"; then return; fi
-  if [ -n "${announce:-}" ]; then echo "$announce" >&2; announce=''; fi
-  "${@:3}" > "$file.new"
-  mv "$file.new" "$file"
-  sha256sum "$file" build/bin/{damping,scan}-"$2" scripts/damping.sh results/widths.csv > "build/tables/damping.$1.csv.made"
-  printf '  %-28s %5d ms\n' "$1" $(((${EPOCHREALTIME/./} - started) / 1000))
+# made of lib.sh, with the layout's programs, the widths and this script to hang on
+of() { # NAME LAYOUT COMMAND...
+  made "damping.$1" build/bin/{damping,scan}-"$2" results/widths.csv scripts/damping.sh -- "${@:3}"
 }
 
 # The gear whose interval the paper calls best, as "k_s b c_lo c_hi".
@@ -79,52 +71,54 @@ plane() { # LAYOUT K_S B
 }
 
 runs_planes() {
-  made l1 l1 plane l1 1e30 0
-  made l1.c_d l1 build/bin/damping-l1 c_d=2700:3100:201
-  made l2 l2 plane l2 4.755e5 0
-  made li1 li1 plane li1 3.048e5 140
-  made li2 li2 plane li2 1.4047e6 140
-  made l2.k_s l2 build/bin/damping-l2 k_s=2.86e5:2e6:90 c_d=2e3:3e4:90
-  made li1.k_s li1 build/bin/damping-li1 b=140 k_s=2.86e5:2e6:90 c_d=2e3:3e4:90
-  made li2.k_s li2 build/bin/damping-li2 b=140 k_s=2.86e5:4e6:90 c_d=2e3:3e4:90
+  of l1 l1 plane l1 1e30 0
+  of l1.c_d l1 build/bin/damping-l1 c_d=2700:3100:201
+  of l2 l2 plane l2 4.755e5 0
+  of li1 li1 plane li1 3.048e5 140
+  of li2 li2 plane li2 1.4047e6 140
+  of l2.k_s l2 build/bin/damping-l2 k_s=2.86e5:2e6:90 c_d=2e3:3e4:90
+  of li1.k_s li1 build/bin/damping-li1 b=140 k_s=2.86e5:2e6:90 c_d=2e3:3e4:90
+  of li2.k_s li2 build/bin/damping-li2 b=140 k_s=2.86e5:4e6:90 c_d=2e3:3e4:90
 }
 
 runs_search() {
   local layout
   for layout in l1 l2 li1 li2; do
-    made "$layout.middle" "$layout" middle "$layout" middle < <(paper "$layout")
-    made "$layout.paper" "$layout" best_in_interval "$layout" paper < <(paper "$layout")
+    of "$layout.middle" "$layout" middle "$layout" middle < <(paper "$layout")
+    of "$layout.paper" "$layout" best_in_interval "$layout" paper < <(paper "$layout")
   done
-  made l2.best l2 best_of_all l2 best 0
+  of l2.best l2 best_of_all l2 best 0
   for layout in li1 li2; do
-    made "$layout.widest" "$layout" best_in_interval "$layout" widest < <(widest "$layout")
+    of "$layout.widest" "$layout" best_in_interval "$layout" widest < <(widest "$layout")
   done
-  made li1.best li1 best_of_all li1 best $(seq 0 20 180)
-  made li2.best li2 best_of_all li2 best $(seq 0 20 300)
+  of li1.best li1 best_of_all li1 best $(seq 0 20 180)
+  of li2.best li2 best_of_all li2 best $(seq 0 20 300)
 }
 
 tables() {
-  begin_table results/damping.csv \
+  local table=results/damping.csv layout choice map
+  printf '%s\n' \
     "# The least damping ratio zeta = -Re(s)/|s| over V in 0..200 m/s. choice: middle of the paper's zero-shimmy interval of" \
     "# c_d; paper, the best c_d in it; widest, the same at the k_s of the widest interval at that b; best, the best c_d and k_s" \
     "# from 2.86e5 N m/rad on. b N m s^2/rad, k_s N m/rad (1e30: rigid), c_d N m s/rad; V m/s, frequency_hz Hz and shimmy of" \
     "# that mode; t_5 s, the time in which it decays to 5 %." \
-    layout,choice,b,k_s,c_d,zeta,V,frequency_hz,shimmy,t_5
-  local layout choice
+    layout,choice,b,k_s,c_d,zeta,V,frequency_hz,shimmy,t_5 > "$table.new"
   for layout in l1 l2 li1 li2; do
     for choice in middle paper widest best; do
-      [ -f "build/tables/damping.$layout.$choice.csv" ] || continue
+      map=build/tables/damping.$layout.$choice.csv
+      [ -f "$map" ] || continue
+      use "$map"
       awk -F, -v OFS=, '{
         t = log(20) * sqrt(1 - $6 ^ 2) / ($6 * 8 * atan2(1, 1) * $8)
-        print $1, $2, $3, $4, sprintf("%.5g,%.4g,%.4g,%.6g", $5, $6, $7, $8), $9, sprintf("%.4g", t) }' \
-        "build/tables/damping.$layout.$choice.csv" >> "$table.new"
+        print $1, $2, $3, $4, sprintf("%.7g,%.4g,%.4g,%.6g", $5, $6, $7, $8), $9, sprintf("%.4g", t) }' \
+        "$map" >> "$table.new"
     done
   done
-  end_table
+  replace "$table"
 }
 
 draw() {
-  use results/damping.csv build/tables/damping.*.csv
+  use build/tables/damping.*.csv
   picture
 }
 

@@ -101,6 +101,27 @@ is_whole() { # FOLDER NAME
     { [ ! -s "$1/d.$2" ] || grep -q 'Total Time' "$1/d.$2"; }
 }
 
+# The part being made, with the first thing that is made for it
+say_part() {
+  [ -z "${announce:-}" ] || echo "$announce" >&2
+  announce=''
+}
+
+# made NAME FILE... -- COMMAND...: the output of COMMAND as build/tables/NAME.csv, made
+# again only when one of the files changed.
+made() {
+  local table=build/tables/$1.csv name=$1 files=() started=${EPOCHREALTIME/./}
+  shift
+  while [ "$1" != -- ]; do files+=("$1"); shift; done
+  use "$table" "${files[@]}"
+  if is_made "$name.csv"; then return; fi
+  say_part
+  "${@:2}" > "$table.new"
+  mv "$table.new" "$table"
+  sha256sum "$table" "${files[@]}" > "build/tables/$name.csv.made"
+  report "$name" "$started" ''
+}
+
 # run NAME CONSTANTS [from=RUN] [model=MODEL] [gear=FILE] [KEY=VALUE ...] -- [TYPE=COUNT ...]
 #   CONSTANTS   constants/c.CONSTANTS, else the one in build/constants, or a file's
 #               path; its name begins with the layout (l1.straight runs
@@ -149,7 +170,7 @@ run() {
     exec 9>&-
     return
   fi
-  if [ -n "${announce:-}" ]; then echo "$announce" >&2; announce=''; fi
+  say_part
   started=${EPOCHREALTIME/./}
   work=$dir.part
   [ ! -e "$work" ] || rm -rf "$work"
@@ -293,7 +314,6 @@ main() { # FIGURE [runs [PART] | tables | draw]
           passed "${made[@]}"
           continue
         fi
-        # said with the first run that is made
         announce="$figure: $part, part $(printf '%s\n' "${parts[@]}" | grep -nx "$part" | cut -d : -f 1) of ${#parts[@]}"
         make_from "$figure.$part" "runs_$part" scripts/*.{sh,awk}
       done ;;

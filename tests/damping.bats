@@ -94,20 +94,17 @@ by_eigenvalues() { # LAYOUT PARAMETER...
   done
 }
 
-# c_d at which AUTO's boundary point from scan-LAYOUT's point number N has that zeta
-auto_boundary() { # RUN LAYOUT N ZETA K_S B
-  auto_run "$1" boundary.point model="$2.boundary" b="$6" compliance="$(awk "BEGIN { print 1e5 / $5 }")" \
-    ICP="['zeta','V_1','c_1','f_1','ratio_1','compliance']" THL="{'zeta': 1e6}" DS=1e-4 DSMAX=2e-3 \
-    UZSTOP="{'zeta': $4}" U="$("build/bin/scan-$2" points k_s="$5" b="$6" | awk -F, -v n="$3" 'NR == n + 1 {
-      printf "{\x27omega_1\x27: %.12g, \x27speed_1\x27: %.12g, \x27logc_1\x27: %.12g}", $3 * 2 * atan2(0, -1) / 10, $2 / 10, log($1) / log(10) }')" \
-    -- UZ=1 > /dev/null
+# c_d at which the boundary point of L1's line N of scan-l1 has that zeta, by AUTO
+auto_boundary() { # RUN N ZETA
+  bash -c '. scripts/lib.sh; . scripts/boundary.sh
+    to_damping_ratio "$1" l1 "$(scan_points l1 0 0 | sed -n "$2p")" "$3" b=0 compliance=0' - "$@" > /dev/null
   value "$1" UZ c_1
 }
 
 @test "AUTO's boundary of a damping ratio above 0 is where damping-LAYOUT finds it" {
   local c_d
   for n in 1 2; do # where psi- and delta-shimmy bound the interval
-    c_d=$(auto_boundary "l1.$n" l1 "$n" 1e-5 1e30 0)
+    c_d=$(auto_boundary "l1.$n" "$n" 1e-5)
     near "$(cell zeta l1 c_d="$c_d")" 1e-5 1e-5 "zeta at c_d = $c_d"
     near "$(cell V l1 c_d="$c_d")" "$(value "l1.$n" UZ V_1)" 1e-4 V
   done
@@ -116,7 +113,7 @@ auto_boundary() { # RUN LAYOUT N ZETA K_S B
 @test "best finds the peak where AUTO's boundaries of the same zeta meet" {
   local zeta
   zeta=$(cell zeta l1 best c_d=2754:3019)
-  near "$(auto_boundary low l1 1 "$zeta" 1e30 0)" "$(auto_boundary high l1 2 "$zeta" 1e30 0)" 1e-6 "c_d of the best damped L1"
+  near "$(auto_boundary low 1 "$zeta")" "$(auto_boundary high 2 "$zeta")" 1e-6 "c_d of the best damped L1"
   near "$(cell c_d l1 best c_d=2754:3019)" "$(value low UZ c_1)" 1e-6 "c_d of the best damped L1"
 }
 

@@ -1,0 +1,116 @@
+# transients.bats - are the peaks and settling times after a disturbance right?
+#
+# transients-LAYOUT against eigenvalues of the full linearised equations
+# (eigen-LAYOUT), against histories of simulate-LAYOUT, and against itself: mirrored
+# and scaled disturbances, other windows.
+#
+# Needs   build/bin/transients-*, eigen-* and simulate-* (make test-programs)
+# Writes  build/tests/transients
+
+bats_require_minimum_version 1.5.0
+load scratch
+
+setup_file() {
+  scratch transients
+}
+
+setup() {
+  cd "$SCRATCH" || return
+}
+
+cell() { # COLUMN LAYOUT ARGUMENT...: of the only row of transients-LAYOUT
+  local column=$1 layout=$2
+  shift 2
+  "build/bin/transients-$layout" "$@" | awk -F, -v column="$column" '
+    NR == 1 { for (k = 1; k <= NF; k++) if ($k == column) place = k }
+    NR == 2 { print $place }'
+}
+
+li2=(li2 c_d=15289 k_s=1.4047e6 b=140)
+
+@test "a small disturbance decays at the rate of the least damped eigenvalue, in every layout" {
+  local layout gear
+  while read -r layout gear; do
+    # shellcheck disable=SC2086 # one word for each parameter
+    near "$(cell dstar_end "$layout" dpsi=0.01 ddelta=0 $gear)" \
+      "$("build/bin/eigen-$layout" eigenvalues $gear | awk 'NR == 2 { print -$1 }')" 1e-4 "decay rate of $layout $gear"
+  done <<'END'
+l1 c_d=2900 V=37
+l1 c_d=2900 V=60
+l2 c_d=6000 k_s=7e5 V=40
+li1 c_d=1e4 k_s=5e5 b=60 V=60
+li2 c_d=12000 k_s=2e6 b=100 V=50
+END
+}
+
+@test "the rate and the damping ratio in the table are those of the eigenvalue" {
+  local rate im
+  read -r rate im _ < <(build/bin/eigen-li2 eigenvalues "${li2[@]:1}" V=30 | sed -n 2p)
+  near "$(cell rate "${li2[@]}" V=30)" "${rate#-}" 1e-5 rate
+  near "$(cell zeta "${li2[@]}" V=30)" "$(awk -v re="$rate" -v im="$im" 'BEGIN { print -re / sqrt(re ^ 2 + im ^ 2) }')" 1e-5 zeta
+}
+
+@test "a mirrored disturbance leaves peaks and settling times as they are" {
+  build/bin/transients-li1 c_d=1e4 k_s=6.38e5 b=140 V=30 > plus
+  build/bin/transients-li1 c_d=1e4 k_s=6.38e5 b=140 V=30 dpsi=-1 ddelta=-0.45 > minus
+  awk -F, '
+    NR == FNR { for (k = 1; k <= NF; k++) was[FNR, k] = $k; next }
+    { for (k = 1; k <= NF; k++) if ($k != was[FNR, k] && !(($k - was[FNR, k]) ^ 2 < 1e-10 * $k ^ 2)) { print $k " is not " was[FNR, k]; bad = 1 } }
+    END { exit bad || NR != 6 }' plus minus
+}
+
+@test "small disturbances: twice the rate, twice the peak, and the settling time stays" {
+  near "$(cell psi_max "${li2[@]}" V=60 dpsi=0.02 ddelta=0)" "$(cell psi_max "${li2[@]}" V=60 dpsi=0.01 ddelta=0 | awk '{ print 2 * $1 }')" 1e-4 psi_max
+  near "$(cell dstar_max "${li2[@]}" V=60 dpsi=0 ddelta=0.02)" "$(cell dstar_max "${li2[@]}" V=60 dpsi=0 ddelta=0.01 | awk '{ print 2 * $1 }')" 1e-4 dstar_max
+  near "$(cell psi_5 "${li2[@]}" V=60 dpsi=0.02 ddelta=0)" "$(cell psi_5 "${li2[@]}" V=60 dpsi=0.01 ddelta=0)" 1e-3 psi_5
+}
+
+@test "what lies beyond the window is as long as integration finds it" {
+  local short long
+  short=(dpsi=0 ddelta=0.01 V=60 window=5) long=(dpsi=0 ddelta=0.01 V=60 window=40)
+  [ "$(cell dstar_by "${li2[@]}" "${short[@]}")" = rate ]
+  [ "$(cell dstar_by "${li2[@]}" "${long[@]}")" = run ]
+  near "$(cell dstar_5 "${li2[@]}" "${short[@]}")" "$(cell dstar_5 "${li2[@]}" "${long[@]}")" 2e-3 "settling time of delta*"
+}
+
+@test "peak and settling time are those of a history" {
+  local psi_max psi_5
+  psi_max=$(cell psi_max l1 c_d=2900 V=60 ddelta=0) psi_5=$(cell psi_5 l1 c_d=2900 V=60 ddelta=0)
+  build/bin/simulate-l1 history c_d=2900 V=60 dpsi=1 t_end=5 dt=0.0005 | awk -F, -v peak="$psi_max" -v settled="$psi_5" '
+    /^#/ { next }
+    !named++ { for (k = 1; k <= NF; k++) place[$k] = k; next }
+    {
+      t = $place["t"]; psi = $place["psi"] * 45 / atan2(1, 1)
+      if (psi < 0) psi = -psi
+      if (psi > most) most = psi
+      if (psi > 0.05 * peak) last = t
+    }
+    END {
+      print peak, most, settled, last
+      exit !(most > peak * 0.999 && most < peak * 1.000001 && last > settled - 0.001 && last < settled + 0.03) }'
+}
+
+@test "an unstable gear does not settle" {
+  [ "$(cell psi_5 l1 c_d=3.6e4 V=20 ddelta=0)" = inf ]
+}
+
+@test "slips are refused in one line with status 2" {
+  local slip
+  while read -r slip; do
+    # shellcheck disable=SC2086 # one word for each argument
+    run --separate-stderr build/bin/transients-l1 $slip
+    # shellcheck disable=SC2154 # set by run
+    [ "$status" -eq 2 ] && [ "${#stderr_lines[@]}" -eq 1 ] || { echo "$slip: status $status, $stderr"; return 1; }
+  done <<'END'
+V=0
+V=5:200:10
+window=0
+window=1e9
+dpsi=fast
+psi=1
+c_d
+c_d=-1
+END
+  run --separate-stderr build/bin/transients-l1 V=20 dpsi=1e4
+  [ "$status" -eq 1 ] && [ "${#stderr_lines[@]}" -eq 1 ]
+}
