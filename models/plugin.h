@@ -82,14 +82,21 @@ int func(integer ndim, const doublereal *u, const integer *icp, const doublereal
          integer ijac, doublereal *f, doublereal *dfdu, doublereal *dfdp)
 {
   (void)icp;
-  right_hand_side(par, u, f);
-  if (ijac != 0)
-    derivatives(par, u, f, dfdu, ijac == 2 ? dfdp : NULL);
-  if (!usable(par))
-    for (integer i = 0; i < ndim; i++)
-      f[i] = 1e30;
-  else if (ijac != 0)
-    refuse_misfit();
+  if (usable(par)) {
+    right_hand_side(par, u, f);
+    if (ijac != 0) {
+      refuse_misfit();
+      derivatives(par, u, f, dfdu, ijac == 2 ? dfdp : NULL);
+    }
+    return 0;
+  }
+  for (integer i = 0; i < ndim; i++) {
+    f[i] = 1e10;
+    for (integer j = 0; j < ndim && ijac != 0; j++)
+      dfdu[j * ndim + i] = i == j;
+    for (int k = 0; k < MLG_PARAMETER_COUNT && ijac == 2; k++)
+      dfdp[mlg_parameters[k].slot * ndim + i] = 0.;
+  }
   return 0;
 }
 

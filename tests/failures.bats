@@ -203,7 +203,7 @@ fails() {
 
 @test "a parameter that is continued out of its range" {
   fails 'PAR(30) alpha_m = -* rad must be above 0;*' left l1.periodic from=straight ICP="['alpha_m', 'period']" DS=-0.01 UZR={} UZSTOP={} --
-  fails 'PAR(28) l = -* m must be above 0;*' left l1.straight V=20 ICP="['l', 'period']" DS=-0.01 DSMAX=0.02 UZSTOP={} --
+  fails 'PAR(28) l = -* m must be above 0;*MX: no convergence' left l1.straight V=20 ICP="['l', 'period']" DS=-0.01 DSMAX=0.02 UZSTOP={} --
 }
 
 @test "steps used up" {
