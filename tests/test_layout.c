@@ -675,18 +675,23 @@ static void device_alone_is_stable(void **state)
 
 /* ---- parameters that would detach the device ------------------------------------- */
 
-/* Whether the rates are out of all proportion: all of them or none. */
+/* Whether the rates are out of all proportion, all of them or none, and the
+ * Jacobian then is a regular one, by which AUTO's steps stay finite. */
 static int unusable_with(int slot, double value)
 {
-  double par[SLOTS] = { 0. }, u[NDIM] = { 0. }, f[NDIM];
+  double par[SLOTS] = { 0. }, u[NDIM] = { 0. }, f[NDIM], dfdu[NDIM * NDIM], dfdp[SLOTS * NDIM];
   int large = 0;
 
   mlg_defaults(par);
   par[slot] = value;
-  rates(par, u, f);
+  func(NDIM, u, NULL, par, 2, f, dfdu, dfdp);
   for (int i = 0; i < NDIM; i++)
-    large += f[i] > 1e29;
+    large += f[i] > 1e9;
   assert_true(large == 0 || large == NDIM);
+  for (int i = 0; i < NDIM * NDIM && large; i++)
+    assert_near(dfdu[i], i % (NDIM + 1) == 0, 0.);
+  for (int k = 0; k < MLG_PARAMETER_COUNT * NDIM && large; k++)
+    assert_near(dfdp[mlg_parameters[k / NDIM].slot * NDIM + k % NDIM], 0., 0.);
   return large > 0;
 }
 
