@@ -76,8 +76,9 @@ static void refuse_misfit(void)
 
 /* Right-hand side and its derivatives (AUTO's FUNC, JAC = 1); those by parameters
  * at ijac = 2 only, AUTO has no room for them at 1.  Where a parameter is unusable
- * the rates are so large that AUTO tries a shorter step (it takes NaN for
- * converged), and ends with MX when that does not help. */
+ * the rates are so large, with a unit Jacobian, that AUTO tries a shorter step (it
+ * takes NaN for converged, or goes on for ever), and ends with MX when that does
+ * not help. */
 int func(integer ndim, const doublereal *u, const integer *icp, const doublereal *par,
          integer ijac, doublereal *f, doublereal *dfdu, doublereal *dfdp)
 {
