@@ -36,6 +36,7 @@ h3 { margin-top: 2.2rem; }
 img { max-width: 100%; height: auto; }
 table { display: block; overflow-x: auto; border-collapse: collapse; font-size: .85rem; }
 th, td { padding: .3rem .7rem; border-bottom: 1px solid #ddd; text-align: left; }
+td:nth-child(2) { min-width: 12rem; }
 th { border-bottom: 2px solid #888; white-space: nowrap; }
 code { font-size: .9em; background: #f3f3f3; padding: .1em .25em; }
 a { color: #1f4fd8; }
