@@ -119,13 +119,13 @@ jacobians() { # FOLDER CONSTANTS FROM [KEY=VALUE ...]: its own JAC | the other o
   own=$(sed -n 's/.*JAC *= *\(-*[0-9]\).*/\1/p' "constants/c.$2")
   prepare "$@"
   auto_in "$1" build/models/l1.exe
-  values UZ V "$1" > "$bench/ours"
-  for jac in -1 0; do
+  values UZ V "$1" > "$bench/ours.values"
+  for jac in 1 0 -1; do
     [ "$jac" != "$own" ] || continue
     prepare "$1.other" "${@:2}" JAC="$jac"
     auto_in "$1.other" build/models/l1.exe
-    values UZ V "$1.other" > "$bench/other"
-    agree "$1 with JAC=$jac" 1e-3 "$bench/ours" "$bench/other"
+    values UZ V "$1.other" > "$bench/other.values"
+    agree "$1 with JAC=$jac" 1e-3 "$bench/ours.values" "$bench/other.values"
     compare "$pairs" "${2#*.} ($1): JAC=$own | JAC=$jac" "auto_in $1 build/models/l1.exe" "auto_in $1.other build/models/l1.exe"
   done
 }
@@ -253,9 +253,9 @@ part_fortran() {
   for name in "straight HB V 1e-6" "psi UZ period 1e-6" "hopf LP c_d 1e-6"; do
     # shellcheck disable=SC2086 # four words
     set -- $name
-    values "$2" "$3" "$1" > "$bench/ours"
-    values "$2" "$3" "$1.f90" > "$bench/other"
-    agree "$3 at $2 of $1 in Fortran" "$4" "$bench/ours" "$bench/other"
+    values "$2" "$3" "$1" > "$bench/ours.values"
+    values "$2" "$3" "$1.f90" > "$bench/other.values"
+    agree "$3 at $2 of $1 in Fortran" "$4" "$bench/ours.values" "$bench/other.values"
   done
 }
 
@@ -268,9 +268,9 @@ part_xppaut() {
   compare "$pairs" "AUTO: straight rolling, all orbits | XPPAUT: 200 s at V = 20" \
     "auto_in straight build/models/l1.exe; auto_in a build/models/l1.exe" \
     "(cd $bench && xppaut ../../tests/bench/l1.ode -silent)"
-  awk '$4 > most { most = $4 } END { printf "%.9g\n", most * 45 / atan2(1, 1) }' "$bench/output.dat" > "$bench/other"
-  values UZ psi_max a | head -n 1 > "$bench/ours"
-  agree "psi_max of XPPAUT" 1e-4 "$bench/ours" "$bench/other"
+  awk '$4 > most { most = $4 } END { printf "%.9g\n", most * 45 / atan2(1, 1) }' "$bench/output.dat" > "$bench/other.values"
+  values UZ psi_max a | head -n 1 > "$bench/ours.values"
+  agree "psi_max of XPPAUT" 1e-4 "$bench/ours.values" "$bench/other.values"
 }
 
 part_python() {
@@ -285,9 +285,9 @@ part_python() {
   compare "$long_pairs" "eigen-l1 map, 400 x 400 | numpy, the same" "build/bin/eigen-l1 map" "$python"
   compare "$long_pairs" "curves-l1: every Hopf curve, extrema to rounding | numpy" "build/bin/curves-l1 k_s=1e30 b=0" "$python"
   compare "$long_pairs" "scan-l1: zero-shimmy interval to rounding | numpy" "build/bin/scan-l1 intervals" "$python"
-  build/bin/eigen-l1 map > "$bench/ours"
-  $python > "$bench/other"
-  cmp "$bench/ours" "$bench/other" || fail "bench: map.py differs from eigen-l1 map"
+  build/bin/eigen-l1 map > "$bench/ours.values"
+  $python > "$bench/other.values"
+  cmp "$bench/ours.values" "$bench/other.values" || fail "bench: map.py differs from eigen-l1 map"
 }
 
 # --- the whole -----------------------------------------------------------------
