@@ -16,6 +16,10 @@ export MLG_BUILT = yes
 
 # A layout is a models/ file that ends by including plugin.h.
 layouts := $(patsubst models/%.c,%,$(shell grep -l '^#include "plugin.h"' models/*.c))
+misnamed := $(shell printf '%s\n' $(layouts) | grep -vE '^[A-Za-z][A-Za-z0-9_]*$$')
+ifneq ($(misnamed),)
+$(error models/$(firstword $(misnamed)).c: the name of a layout has letters, digits and _, a letter first)
+endif
 models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.exe) \
           $(layouts:%=build/bin/scan-%) $(layouts:%=build/bin/curves-%) build/bin/constants
 damped := damping transients

@@ -81,6 +81,15 @@ as_written() {
   grep -q ' EP ' output
 }
 
+@test "a layout whose name is no name" {
+  unset MLG_BUILT
+  cp docs/examples/layout.c models/my-layout.c
+  run -2 make models
+  rm models/my-layout.c
+  [[ $output == *"models/my-layout.c: the name of a layout has letters, digits and _, a letter first"* ]]
+  [ "${#lines[@]}" -eq 1 ]
+}
+
 @test "no layout is longer than 40 lines without its comments" {
   local file
   for file in models/l*[0-9].c docs/examples/layout.c; do
