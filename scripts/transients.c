@@ -89,8 +89,10 @@ static struct response respond(struct integrator *run, const double par[], const
   r.beyond = r.time > last.from;
   if (r.beyond) {
     r.end = log(halfway.x / last.x) / (last.t - halfway.t);
-    r.time = linear_rate > 0. ? last.t + log(last.x / (settled * r.peak)) / linear_rate : INFINITY;
+    r.time = last.t + log(last.x / (settled * r.peak)) / linear_rate;
   }
+  if (!(linear_rate > 0.)) /* what has decayed comes back */
+    r.time = INFINITY;
   return r;
 }
 

@@ -18,14 +18,6 @@ setup() {
   cd "$SCRATCH" || return
 }
 
-cell() { # COLUMN LAYOUT ARGUMENT...: of the only row of damping-LAYOUT
-  local column=$1 layout=$2
-  shift 2
-  "build/bin/damping-$layout" "$@" | awk -F, -v column="$column" '
-    NR == 1 { for (k = 1; k <= NF; k++) if ($k == column) place = k }
-    NR == 2 { print $place }'
-}
-
 # The least -Re(s)/|s| of the eigenvalues with an imaginary part
 by_eigenvalues() { # LAYOUT PARAMETER...
   local layout=$1
@@ -39,7 +31,7 @@ by_eigenvalues() { # LAYOUT PARAMETER...
   local layout V c_d k_s b n=0
   while read -r layout V c_d k_s b; do
     n=$((n + 1))
-    near "$(cell zeta "$layout" V="$V" c_d="$c_d" k_s="$k_s" b="$b")" \
+    near "$(cell zeta "damping-$layout" V="$V" c_d="$c_d" k_s="$k_s" b="$b")" \
       "$(by_eigenvalues "$layout" V="$V" c_d="$c_d" k_s="$k_s" b="$b")" 1e-7 "zeta of $layout V=$V c_d=$c_d k_s=$k_s b=$b"
   done < <(awk 'BEGIN {
     srand(1201)
@@ -50,9 +42,9 @@ by_eigenvalues() { # LAYOUT PARAMETER...
 }
 
 @test "a rigid k_s and b = 0 are regular" {
-  near "$(cell zeta l2 c_d=2900)" "$(cell zeta l1 c_d=2900)" 1e-9 "zeta of L2 with a rigid k_s"
-  near "$(cell zeta li1 c_d=5e3 k_s=7.86e5 b=0)" "$(cell zeta l2 c_d=5e3 k_s=7.86e5)" 1e-9 "zeta of LI1 without inerter"
-  near "$(cell zeta li2 c_d=5e3 k_s=7.86e5 b=0)" "$(cell zeta l2 c_d=5e3 k_s=7.86e5)" 1e-9 "zeta of LI2 without inerter"
+  near "$(cell zeta damping-l2 c_d=2900)" "$(cell zeta damping-l1 c_d=2900)" 1e-9 "zeta of L2 with a rigid k_s"
+  near "$(cell zeta damping-li1 c_d=5e3 k_s=7.86e5 b=0)" "$(cell zeta damping-l2 c_d=5e3 k_s=7.86e5)" 1e-9 "zeta of LI1 without inerter"
+  near "$(cell zeta damping-li2 c_d=5e3 k_s=7.86e5 b=0)" "$(cell zeta damping-l2 c_d=5e3 k_s=7.86e5)" 1e-9 "zeta of LI2 without inerter"
 }
 
 @test "zeta is 0 on Hopf points and changes its sign there" {
@@ -62,9 +54,9 @@ by_eigenvalues() { # LAYOUT PARAMETER...
     # shellcheck disable=SC2086 # one word for each parameter
     while read -r V; do
       n=$((n + 1))
-      { cell zeta "$layout" V="$V" $case
-        cell zeta "$layout" V="$(awk "BEGIN { print $V * 0.9999 }")" $case
-        cell zeta "$layout" V="$(awk "BEGIN { print $V * 1.0001 }")" $case; } | paste -sd ' ' \
+      { cell zeta "damping-$layout" V="$V" $case
+        cell zeta "damping-$layout" V="$(awk "BEGIN { print $V * 0.9999 }")" $case
+        cell zeta "damping-$layout" V="$(awk "BEGIN { print $V * 1.0001 }")" $case; } | paste -sd ' ' \
         | awk -v at="$layout $case V=$V" '{ if ($1 ^ 2 > 1e-20 || $2 * $3 >= 0) { print at ": " $0; exit 1 } }'
     done < <("build/bin/eigen-$layout" boundary free=V from=1 to=200 step=0.5 $case \
       | awk 'NR > 1 { print $1 }' | sed -n '1p; $p') # between them another mode may grow already
@@ -75,8 +67,8 @@ by_eigenvalues() { # LAYOUT PARAMETER...
 @test "over all speeds it is 0 at both ends of a zero-shimmy interval, and above 0 inside" {
   local c_lo c_hi
   IFS=, read -r c_lo c_hi _ < <(build/bin/scan-li1 intervals k_s=6e5 b=140 | tail -n 1)
-  awk -v lo="$(cell zeta li1 k_s=6e5 b=140 c_d="$c_lo")" -v hi="$(cell zeta li1 k_s=6e5 b=140 c_d="$c_hi")" \
-    -v inside="$(cell zeta li1 k_s=6e5 b=140 c_d="$(awk "BEGIN { print sqrt($c_lo * $c_hi) }")")" 'BEGIN {
+  awk -v lo="$(cell zeta damping-li1 k_s=6e5 b=140 c_d="$c_lo")" -v hi="$(cell zeta damping-li1 k_s=6e5 b=140 c_d="$c_hi")" \
+    -v inside="$(cell zeta damping-li1 k_s=6e5 b=140 c_d="$(awk "BEGIN { print sqrt($c_lo * $c_hi) }")")" 'BEGIN {
     print lo, hi, inside
     exit !(lo ^ 2 < 1e-18 && hi ^ 2 < 1e-18 && inside > 1e-6) }'
 }
@@ -88,7 +80,7 @@ by_eigenvalues() { # LAYOUT PARAMETER...
     # shellcheck disable=SC2086 # one word for each parameter
     least=$("build/bin/damping-$layout" V=0.05:200:4000 $case | awk -F, 'NR == 2 || (NR > 1 && $2 < z) { z = $2 } END { printf "%.10g", z }')
     # shellcheck disable=SC2086
-    awk -v least="$least" -v found="$(cell zeta "$layout" $case)" -v at="$layout $case" 'BEGIN {
+    awk -v least="$least" -v found="$(cell zeta "damping-$layout" $case)" -v at="$layout $case" 'BEGIN {
       print at, found, least
       exit !(found <= least * (1 + 1e-9) && least - found < 1e-7) }'
   done
@@ -105,16 +97,16 @@ auto_boundary() { # RUN N ZETA
   local c_d
   for n in 1 2; do # where psi- and delta-shimmy bound the interval
     c_d=$(auto_boundary "l1.$n" "$n" 1e-5)
-    near "$(cell zeta l1 c_d="$c_d")" 1e-5 1e-5 "zeta at c_d = $c_d"
-    near "$(cell V l1 c_d="$c_d")" "$(value "l1.$n" UZ V_1)" 1e-4 V
+    near "$(cell zeta damping-l1 c_d="$c_d")" 1e-5 1e-5 "zeta at c_d = $c_d"
+    near "$(cell V damping-l1 c_d="$c_d")" "$(value "l1.$n" UZ V_1)" 1e-4 V
   done
 }
 
 @test "best finds the peak where AUTO's boundaries of the same zeta meet" {
   local zeta
-  zeta=$(cell zeta l1 best c_d=2754:3019)
+  zeta=$(cell zeta damping-l1 best c_d=2754:3019)
   near "$(auto_boundary low 1 "$zeta")" "$(auto_boundary high 2 "$zeta")" 1e-6 "c_d of the best damped L1"
-  near "$(cell c_d l1 best c_d=2754:3019)" "$(value low UZ c_1)" 1e-6 "c_d of the best damped L1"
+  near "$(cell c_d damping-l1 best c_d=2754:3019)" "$(value low UZ c_1)" 1e-6 "c_d of the best damped L1"
 }
 
 @test "slips are refused in one line with status 2" {

@@ -55,6 +55,15 @@ values() { # the same of all such points
   ' "build/runs/$1/b.$1"
 }
 
+# cell COLUMN PROGRAM ARGUMENT...: that column of the first row of the CSV it prints
+cell() {
+  local column=$1 program=$2
+  shift 2
+  "build/bin/$program" "$@" | awk -F, -v column="$column" '
+    NR == 1 { for (k = 1; k <= NF; k++) if ($k == column) place = k }
+    NR == 2 { print $place }'
+}
+
 # near X Y RELATIVE [WHAT]
 near() {
   awk -v x="$1" -v y="$2" -v tolerance="$3" -v what="${4:-value}" 'BEGIN {
