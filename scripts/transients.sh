@@ -6,7 +6,7 @@
 # Needs:  transients-LAYOUT (scripts/transients.c), damping-LAYOUT, results/damping.csv
 # Writes: results/transients.csv, results/transients.png and .svg;
 #         build/tables/transients.*.csv
-# Expect: delta* of L1 takes half an hour to settle at V = 35 m/s; with the best damped
+# Expect: delta* of L1 takes a quarter of an hour to settle at V = 35 m/s; with the best damped
 #         LI2 half a minute.
 . "$(dirname "$0")/lib.sh"
 [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent build/bin/{damping,transients}-{l1,l2,li1,li2}
