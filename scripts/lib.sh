@@ -94,11 +94,15 @@ use_run() { # RUN...
 # log, has a labelled point last in b.NAME, whole solutions in s.NAME (the first line
 # of each counts the others), and the time in d.NAME too, unless IID = 0 left that empty.
 is_whole() { # FOLDER NAME
-  [ -s "$1/auto.log" ] || return
-  grep -q 'Total Time' "$1/auto.log" || return 0
-  tail -n 1 "$1/b.$2" | awk '{ exit !($4 > 0) }' &&
-    awk 'left == 0 { left = $9; next } { left-- } END { exit left != 0 }' "$1/s.$2" &&
-    { [ ! -s "$1/d.$2" ] || grep -q 'Total Time' "$1/d.$2"; }
+  awk '
+    { kind = FILENAME; sub(/.*\//, "", kind); kind = substr(kind, 1, 2); lines[kind]++ }
+    /Total Time/ { timed[kind] = 1 }
+    kind == "b." { label = $4 }
+    kind == "s." { if (left == 0) left = $9; else left-- }
+    END {
+      whole = label > 0 && left == 0 && (timed["d."] || !lines["d."])
+      exit !(lines["au"] && (whole || !timed["au"]))
+    }' "$1/auto.log" "$1/"{b,s,d}".$2"
 }
 
 # The part being made, with the first thing that is made for it
@@ -181,6 +185,7 @@ run() {
   (cd "$work" && exec "../../../$model") > "$work/auto.log" 2>&1 || status=$?
   : >> "$work/b.$name"
   : >> "$work/d.$name"
+  : >> "$work/s.$name"
   found=$(awk -v expect="$*" -v status="$status" -f scripts/auto.awk -f scripts/judge.awk "$work/d.$name" "$work/b.$name")
   [ "$status" -ne 0 ] || is_whole "$work" "$name" || found="FAIL what AUTO wrote is cut short (is the disk full?)"
   case $found in FAIL\ * | *$'\n'FAIL\ *)
