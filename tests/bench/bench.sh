@@ -240,14 +240,15 @@ part_fortran() {
   # shellcheck disable=SC2086 # a list of files
   gfortran -O2 tests/bench/l1.f90 $flags -o "$bench/fortran.exe"
   prepare straight l1.straight - c_d=3.6e4
+  auto_in straight build/models/l1.exe
   prepare straight.f90 l1.straight - c_d=3.6e4 JAC=0
   prepare psi l1.periodic straight IRS="'HB1'" UZR="{'V': [20.0]}"
   prepare psi.f90 l1.periodic straight IRS="'HB1'" UZR="{'V': [20.0]}" JAC=0
   prepare hopf l1.hopf straight IRS="'HB2'" DS=-0.1
   prepare hopf.f90 l1.hopf straight IRS="'HB2'" DS=-0.1 JAC=0
   for name in straight psi hopf; do
-    auto_in $name build/models/l1.exe
-    auto_in $name.f90 "$bench/fortran.exe"
+    auto_in "$name" build/models/l1.exe
+    auto_in "$name.f90" "$bench/fortran.exe"
     compare "$pairs" "$name" "auto_in $name build/models/l1.exe" "auto_in $name.f90 $bench/fortran.exe"
   done
   for name in "straight HB V 1e-6" "psi UZ period 1e-6" "hopf LP c_d 1e-6"; do
