@@ -133,6 +133,13 @@ int libmlg_outside(const double par[])
   return LIBMLG_NONE;
 }
 
+/* The slots of AUTO, from par[libmlg_parameters()]. */
+static void into_slots(const double par[], double slots[36])
+{
+  for (int i = 0; i < PARAMETERS; i++)
+    slots[parameters[i].index] = par[i];
+}
+
 int libmlg_rhs(int layout, const double par[], const double u[], double f[])
 {
   const struct libmlg_layout *l = find(layout);
@@ -140,8 +147,22 @@ int libmlg_rhs(int layout, const double par[], const double u[], double f[])
 
   if (!l)
     return LIBMLG_NONE;
-  for (int i = 0; i < PARAMETERS; i++)
-    slots[parameters[i].index] = par[i];
+  into_slots(par, slots);
   l->rhs(slots, u, f);
+  return 0;
+}
+
+int libmlg_jacobian(int layout, const double par[], const double u[], double dfdu[], double dfdp[])
+{
+  const struct libmlg_layout *l = find(layout);
+  double slots[36], f[LIBMLG_MOST_STATES], all[36 * LIBMLG_MOST_STATES];
+
+  if (!l)
+    return LIBMLG_NONE;
+  into_slots(par, slots);
+  l->rhs(slots, u, f);
+  l->jacobian(slots, u, f, dfdu, dfdp ? all : NULL);
+  for (int k = 0; dfdp && k < PARAMETERS; k++)
+    memcpy(dfdp + k * l->states, all + parameters[k].index * l->states, (size_t)l->states * sizeof *dfdp);
   return 0;
 }

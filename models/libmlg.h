@@ -72,6 +72,12 @@ int libmlg_outside(const double par[]);
  * Returns 0, or LIBMLG_NONE: no such layout, f[] as it was. */
 int libmlg_rhs(int layout, const double par[], const double u[], double f[]);
 
+/* Its derivatives there, n = libmlg_states(layout):
+ *   dfdu[j * n + i] = d f_i / d u_j,   dfdp[k * n + i] = d f_i / d par[k]
+ * dfdp may be NULL.  Exact, but those by the device's own parameters, which are good
+ * to 1e-10; 0 for b = 0 and for a rigid k_s.  Returns as libmlg_rhs. */
+int libmlg_jacobian(int layout, const double par[], const double u[], double dfdu[], double dfdp[]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -19,4 +19,4 @@ static const struct libmlg_quantity state[NDIM] = {
 
 _Static_assert((int)NDIM <= (int)LIBMLG_MOST_STATES, "libmlg.h promises enough");
 
-const struct libmlg_layout ENTRY(NAME) = { TEXT(NAME), NDIM, state, right_hand_side };
+const struct libmlg_layout ENTRY(NAME) = { TEXT(NAME), NDIM, state, right_hand_side, derivatives };

@@ -8,7 +8,9 @@ struct libmlg_layout {
   const char *name;
   int states;
   const struct libmlg_quantity *state;
-  void (*rhs)(const double par[], const double u[], double f[]); /* par: AUTO's slots */
+  /* par, dfdp: AUTO's slots; f: the rates at u */
+  void (*rhs)(const double par[], const double u[], double f[]);
+  void (*jacobian)(const double par[], const double u[], const double f[], double dfdu[], double dfdp[]);
 };
 
 #endif

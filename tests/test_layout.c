@@ -214,6 +214,7 @@ static void libmlg_is_func(void **state)
   };
   char name[] = LAYOUT;
   double par[SLOTS], packed[LIBMLG_MOST_PARAMETERS], u[NDIM], f[NDIM], expected[NDIM];
+  double dfdu[NDIM * NDIM], dfdp[LIBMLG_MOST_PARAMETERS * NDIM], dfdu_expected[NDIM * NDIM], dfdp_expected[SLOTS * NDIM];
   int layout;
 
   (void)state;
@@ -234,6 +235,16 @@ static void libmlg_is_func(void **state)
     assert_int_equal(libmlg_rhs(layout, packed, u, f), 0);
     for (int i = 0; i < NDIM; i++)
       assert_near(f[i], expected[i], 1e-12 * fabs(expected[i]));
+    derivatives(par, u, expected, dfdu_expected, dfdp_expected);
+    assert_int_equal(libmlg_jacobian(layout, packed, u, dfdu, dfdp), 0);
+    for (int i = 0; i < NDIM * NDIM; i++)
+      assert_near(dfdu[i], dfdu_expected[i], 1e-12 * fabs(dfdu_expected[i]));
+#define X(slot, id, name, unit, value, least, most, meaning)                                       \
+    for (int i = 0; i < NDIM; i++)                                                                 \
+      assert_near(dfdp[libmlg_parameter(name) * NDIM + i], dfdp_expected[PAR_##id * NDIM + i],     \
+                  1e-9 * fabs(dfdp_expected[PAR_##id * NDIM + i]));
+    MLG_PARAMETERS(X)
+#undef X
   }
 }
 
@@ -251,6 +262,7 @@ static void libmlg_knows_what_is_none(void **state)
     assert_int_equal(libmlg_states(i), LIBMLG_NONE);
     assert_int_equal(libmlg_state(i, "psi"), LIBMLG_NONE);
     assert_int_equal(libmlg_rhs(i, par, u, f), LIBMLG_NONE);
+    assert_int_equal(libmlg_jacobian(i, par, u, f, NULL), LIBMLG_NONE);
   }
   assert_near(f[0], 7., 0.);
   assert_null(libmlg_state_quantity(0, libmlg_states(0)));
