@@ -7,22 +7,23 @@
 #
 # For the zero-shimmy interval of each layout at the paper's k_s and b:
 #   - the criticality of every Hopf point of the curves that bound it
-#   - the cycles (periodic solutions) that begin at these curves, along c_d at nine
+#   - the cycles (periodic solutions) that begin at these curves, along c_d at ten
 #     speeds, and along V just outside the interval, up to 15 degrees of psi
 #   - the folds of these cycles in the (V, c_d) plane
 #   - what becomes of large disturbances inside the interval, by time integration
 # Needs:  SUNDIALS and LAPACK, which make certify sees to.
 # Writes: results/certify.csv (a row a region), results/cycles.csv, results/folds.csv,
 #         results/criticality.csv, results/certify.png and .svg
-# Expect: every Hopf point supercritical; folds of cycles only below the intervals,
-#         the nearest at 0.73 of c_lo (L1); no cycle inside; every start falls.
+# Expect: no subcritical Hopf point but on a stretch of LI1 below 1 m/s and 560 N m s/rad,
+#         between two points GH; folds of cycles only below the intervals, the nearest at
+#         0.73 of c_lo (L1); no cycle inside; every start falls.
+# shellcheck disable=SC2028 # text for awk
 . "$(dirname "$0")/lib.sh"
 . scripts/curves.sh
-# shellcheck disable=SC2028 # text for awk
 [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent models build/bin/{eigen,search}-{l1,l2,li1,li2}
 
 readonly layouts="l1 l2 li1 li2"
-readonly speeds="5 8 11 16 24 36 60 100 150" # m/s
+readonly speeds="0.5 5 8 11 16 24 36 60 100 150" # m/s
 readonly starts=400
 
 # The region of a layout: k_s, b, and the widest interval of c_d there.
@@ -36,9 +37,9 @@ region() { # LAYOUT
   IFS=, read -r c_lo c_hi _ < <("build/bin/scan-$1" intervals k_s="$k_s" b="$b" | sed -n 2p)
 }
 
-# Hopf points along one parameter, from eigenvalues: "VALUE loses" or "VALUE regains".
+# Hopf points along one parameter, from eigenvalues: "VALUE FREQUENCY loses" or "... regains".
 hopf_points() { # LAYOUT PARAMETER FROM TO PARAMETER=VALUE
-  "build/bin/eigen-$1" boundary free="$2" from="$3" to="$4" k_s="$k_s" b="$b" "$5" | awk 'NR > 1 { print $1, $4 }'
+  "build/bin/eigen-$1" boundary free="$2" from="$3" to="$4" k_s="$k_s" b="$b" "$5" | awk 'NR > 1 { print $1, $2, $4 }'
 }
 
 # Cycles along c_d from each Hopf point at one speed after the other.
@@ -62,7 +63,7 @@ cycles_in_V() { # LAYOUT
   for side in below above; do
     c_d=$(awk -v side=$side -v lo="$c_lo" -v hi="$c_hi" 'BEGIN { printf "%.6g", side == "below" ? 0.98 * lo : 1.02 * hi }')
     n=0
-    while read -r V way; do
+    while read -r V _ way; do
       [ "$way" = loses ] || continue
       n=$((n + 1))
       name=certify.$1.$side.$n
@@ -128,7 +129,8 @@ runs_li1() { certify_region li1; }
 runs_li2() { certify_region li2; }
 # --- tables --------------------------------------------------------------------
 
-# The criticality of every point of the region's Hopf curves, as AUTO has them.
+# The criticality of every point of the region's Hopf curves, as AUTO has them, and the
+# points GH between them where it changes sign.
 criticality_rows() { # LAYOUT
   local file files
   files=$(awk -F, -v name="certify.$1.hopf" 'NR > 1 { printf "build/runs/%s.%s/b.%s.%s\n", name, $1, name, $1 }' \
@@ -136,10 +138,29 @@ criticality_rows() { # LAYOUT
   for file in $files; do
     use "$file"
     awk -v k_s="$k_s" -v b="$b" -f scripts/auto.awk -f <(echo '
-      { printf "%.12g,%.12g,%s,%s\n", value["V"], value["c_d"], k_s, b }') "$file" \
+      { printf "%.12g,%.12g,%s,%s,%.12g\n", value["V"], value["c_d"], k_s, b, 1 / value["period"] }') "$file" \
       | "build/bin/eigen-$1" criticality \
-      | awk -F, -v head="$1,$k_s,$b,${file##*.}" 'NR > 1 { printf "%s,%.6g,%.6g,%.6g,%.6g,%.6g\n", head, $1, $2, $3, $4, $5 }'
+      | awk -F, -v head="$1,$k_s,$b,${file##*.}" 'NR > 1 { printf "%s,,%.6g,%.6g,%.6g,%.6g,%.6g\n", head, $1, $2, $3, $4, $5 }'
+  done | awk -F, '
+    { print }
+    NR > 1 && $4 == curve && $10 * a < 0 { print "between", V, c, a, $6, $7 > "/dev/stderr" }
+    { curve = $4; V = $6; c = $7; a = $10 }' 2> "build/tables/certify.$1.signs"
+  while read -r _ V c a V_1 c_1; do generalised_hopf "$1" "$V" "$c" "$a" "$V_1" "$c_1"; done < "build/tables/certify.$1.signs"
+}
+
+# The row of the point GH between two Hopf points at V and V_1, by bisection in V; a is
+# the criticality at V.
+generalised_hopf() { # LAYOUT V C_D A V_1 C_D_1
+  local V=$2 V_1=$5 middle c_d row i
+  for ((i = 0; i < 30; i++)); do
+    middle=$(awk -v x="$V" -v y="$V_1" 'BEGIN { printf "%.12g", (x + y) / 2 }')
+    # of the Hopf points at this speed the one on the curve
+    c_d=$(hopf_points "$1" c_d 1 8e4 V="$middle" | awk -v lo="$3" -v hi="$6" '
+      (lo < hi && $1 > lo && $1 < hi) || (lo > hi && $1 > hi && $1 < lo) { print $1 "," $2 }')
+    row=$(echo "$middle,${c_d%,*},$k_s,$b,${c_d#*,}" | "build/bin/eigen-$1" criticality | sed 1d)
+    if awk -v a="$4" -v here="${row#*,*,*,*,}" 'BEGIN { split(here, part, ","); exit !(a * part[1] > 0) }'; then V=$middle; else V_1=$middle; fi
   done
+  awk -F, -v head="$1,$k_s,$b,-,GH" '{ printf "%s,%.6g,%.6g,%.6g,%.6g,0\n", head, $1, $2, $3, $4 }' <<< "$row"
 }
 
 # Rows of a region's cycles, every sixth orbit and each fold.
@@ -183,7 +204,7 @@ certified_row() { # LAYOUT
       next
     }
     $1 != layout { next }
-    FILENAME ~ /criticality/ { hopf++; if (a == "" || $9 > a) a = $9; next }
+    FILENAME ~ /criticality/ { if ($5 != "GH") hopf++; if ($10 > 0) { subcritical++; if ($7 > c_most) c_most = $7 }; next }
     FILENAME ~ /folds/ {
       gap = $5 < c_lo ? c_lo / $5 : $5 / c_hi
       if (nearest == "" || gap < nearest) { nearest = gap; fold_V = $4; fold_c = $5 }
@@ -191,7 +212,7 @@ certified_row() { # LAYOUT
     }
     { cycles++; if ($7 > c_lo && $7 < c_hi) inside++; if ($8 > psi) psi = $8; if ($9 > dstar) dstar = $9 }
     END {
-      printf "%s,%s,%s,%s,%s,%d,%s,%d,%d,%s,%s,%s,%s,%d,%s,%s,%d,%s\n", layout, k_s, b, c_lo, c_hi, hopf, a,
+      printf "%s,%s,%s,%s,%s,%d,%d,%s,%d,%d,%s,%s,%s,%s,%d,%s,%s,%d,%s\n", layout, k_s, b, c_lo, c_hi, hopf, subcritical, c_most,
         cycles, inside, psi, dstar, fold_V, fold_c, starts, psi_start, dstar_start, sustained, rate
     }' "build/tables/search.$1.csv" "$criticality.new" "$folds.new" "$cycles.new"
 }
@@ -200,8 +221,8 @@ tables() {
   local layout k_s b c_lo c_hi
   local criticality=results/criticality.csv cycles=results/cycles.csv folds=results/folds.csv certify=results/certify.csv
   printf '%s\n' "# Hopf points of the curves that bound the zero-shimmy regions. V m/s, c_d N m s/rad, a 1/s per rad^2 of psi:" \
-    "# r' = sigma r + a r^3 for the amplitude r of psi beside the point; a < 0 supercritical (tests/criticality.h)." \
-    layout,k_s,b,curve,V,c_d,frequency_hz,delta_over_psi,a > "$criticality.new"
+    "# r' = sigma r + a r^3 for the amplitude r of psi beside the point; a < 0 supercritical (tests/criticality.h). type GH: a changes sign." \
+    layout,k_s,b,curve,type,V,c_d,frequency_hz,delta_over_psi,a > "$criticality.new"
   printf '%s\n' "# Cycles that begin at these curves: along c_d at one speed (branch V8.1: the first Hopf point at 8 m/s), along V" \
     "# below and above the interval. type LP: fold of cycles. V m/s, c_d N m s/rad, psi_max deg, dstar_max m; stable 1 or 0." \
     layout,k_s,b,branch,type,V,c_d,psi_max,dstar_max,stable > "$cycles.new"
@@ -216,10 +237,10 @@ tables() {
     fold_rows "$layout" >> "$folds.new"
   done
   printf '%s\n' "# Evidence for each zero-shimmy interval c_lo to c_hi (N m s/rad) beyond linear theory (docs/certification.md)." \
-    "# hopf_points on the bounding curves, a_largest their criticality; cycles computed, how many inside the interval," \
+    "# hopf_points on the curves, how many subcritical and up to which c_d; cycles computed, how many inside the interval," \
     "# up to psi_max deg and dstar_max m; the nearest fold of cycles; starts inside, up to psi_start deg and dstar_start m" \
     "# in their first 2 s; how many were sustained; rate_least: slowest fall of the size at the end, 1/s." \
-    layout,k_s,b,c_lo,c_hi,hopf_points,a_largest,cycles,cycles_inside,psi_max,dstar_max,fold_V,fold_c_d,starts,psi_start,dstar_start,sustained,rate_least \
+    layout,k_s,b,c_lo,c_hi,hopf_points,subcritical,subcritical_c_d,cycles,cycles_inside,psi_max,dstar_max,fold_V,fold_c_d,starts,psi_start,dstar_start,sustained,rate_least \
     > "$certify.new"
   for layout in $layouts; do
     region "$layout"

@@ -72,5 +72,5 @@ broken() {
 
 @test "a line that is no Hopf point is refused" {
   run -2 --separate-stderr build/bin/eigen-l1 criticality <<<'10,2700,1e30'
-  [ "$stderr" = "standard input:1: '10,2700,1e30': expected V,c_d,k_s,b" ]
+  [ "$stderr" = "standard input:1: '10,2700,1e30': expected V,c_d,k_s,b,frequency_hz" ]
 }

@@ -10,18 +10,19 @@
 # Needs:  eigen-LAYOUT
 # Prints: rows what,unit,ours,oracle,tolerance (no header): ours AUTO's c_2.
 #         short: the two bounds of layout L1 only.
+# shellcheck disable=SC2028 # text for awk
 . "$(dirname "${BASH_SOURCE[0]}")/../../scripts/lib.sh"
 . scripts/curves.sh
 [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent test-programs
 
 # check LAYOUT K_S B V N: the Nth Hopf point in c_d at that speed
 check() {
-  local layout=$1 k_s=$2 b=$3 V=$4 c_d name="verify.$1.V$4.$5" a slope
-  c_d=$("build/bin/eigen-$1" boundary free=c_d from=20 to=8e4 V="$V" k_s="$k_s" b="$b" \
-    | awk -v n="$5" 'NR == n + 1 { print $1 }')
+  local layout=$1 k_s=$2 b=$3 V=$4 c_d frequency name="verify.$1.V$4.$5" a slope
+  read -r c_d frequency < <("build/bin/eigen-$1" boundary free=c_d from=20 to=8e4 V="$V" k_s="$k_s" b="$b" \
+    | awk -v n="$5" 'NR == n + 1 { print $1, $2 }')
   hopf_start "$name.start" "$layout" "$V" 0.001 k_s="$k_s" b="$b" c_d="$c_d" >&2
   run "$name" "$layout.cycles" from="$name.start" DS=0.02 DSMAX=0.02 NMX=9 EPSL=1e-10 EPSU=1e-10 -- EP=1 >&2
-  IFS=, read -r _ _ _ _ a slope < <(echo "$V,$c_d,$k_s,$b" | "build/bin/eigen-$1" criticality | sed 1d)
+  IFS=, read -r _ _ _ _ a slope < <(echo "$V,$c_d,$k_s,$b,$frequency" | "build/bin/eigen-$1" criticality | sed 1d)
   awk -v what="c_2 at V = $V; c_d = $(printf %.6g "$c_d") ($layout; b = $b)" -v a="$a" -v slope="$slope" -f scripts/auto.awk -f <(echo '
     { n++; c = value["c_d"]; r = value["psi_max"] * atan2(0, -1) / 180; if (n == 1) c_0 = c; else { square[n] = r ^ 2; y[n] = (c - c_0) / square[n] } }
     END {
