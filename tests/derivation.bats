@@ -8,7 +8,7 @@ bats_require_minimum_version 1.5.0
 load scratch
 
 setup() {
-  cd "$BATS_TEST_DIRNAME/.."
+  cd "$BATS_TEST_DIRNAME/.." || return
   export MLG_BUILT=yes
   unset MAKEFLAGS MFLAGS MAKELEVEL
 }

@@ -244,6 +244,7 @@ judge() {
   run -0 judge 's/^( +-?[0-9]+ +-?[0-9]+ +)8 /\10 /'
   [[ $output == *'FAIL 7 stable eigenvalues become 5 without a label between V = 3'* ]]
   [[ $output == *'FAIL expected 1 TR, found 0'* ]]
+  # shellcheck disable=SC2016 # sed's last line
   run -0 judge '55,$d'
   [[ $output == *'FAIL AUTO broke off at V = '* ]]
   run -0 judge '/^ +[1-9-]/d'

@@ -34,9 +34,9 @@ setup() {
 @test "the page in HTML says the same, with its pictures in it" {
   local number
   scripts/page.sh
-  for number in $(awk -F, '!/^#/ && $1 != "id" { print $6 }' results/targets.csv); do
+  while read -r number; do
     grep -q -F "<td>$number</td>" build/results.html || { echo "$number is not there" && false; }
-  done
+  done < <(awk -F, '!/^#/ && $1 != "id" { print $6 }' results/targets.csv)
   [ "$(grep -o 'src="data:image/' build/results.html | wc -l)" -eq "$(grep -o '!\[[^]]*\](' results/README.md | wc -l)" ]
   cp build/results.html again.html
   scripts/page.sh
