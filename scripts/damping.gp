@@ -84,13 +84,13 @@ do for [ending in "png svg"] {
     }
   }
   unset colorbox
-  set lmargin at screen 0.055; set rmargin at screen 0.98
+  set lmargin at screen 0.065; set rmargin at screen 0.98
   set tmargin at screen 0.29; set bmargin at screen 0.055
   set title "(c) the best least ζ over V, by the choice of c_d and k_s" offset 0,-0.6
   set logscale y
   set xrange [0:300]; set yrange [4e-6:2e-3]; set xtics 20
   set ytics ("10^{-5}" 1e-5, "10^{-4}" 1e-4, "10^{-3}" 1e-3)
-  set xlabel "b (N m s^2/rad)"; set ylabel "least ζ over V" offset 2,0
+  set xlabel "b (N m s^2/rad)"; set ylabel "least ζ over V" offset 0.2,0
   stats best("l1") using 6 name "l1" nooutput
   set label 1 "L1" at 293,1.2*l1_max right
   set label 2 "L2" at 4,1.35e-4

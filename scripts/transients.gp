@@ -50,7 +50,7 @@ do for [ending in "png svg"] {
       unset object 1; unset label 1
     }
     if (panel == 5) {
-      set title "(e) least damping ratio" offset 0,-0.6; set ylabel "ζ" offset 0.5,0
+      set title "(e) least damping ratio" offset 0,-0.6; set ylabel "ζ" offset 4.5,0
       set logscale y; set format y "10^{%T}"; set yrange [1e-5:4e-3]
       plot for [i=1:7] zeta(i) using 1:2 with lines ls 30+i
     }
