@@ -2,7 +2,7 @@
 # curves.sh - every Hopf curve in the (V, c_d) plane at one k_s and b
 #
 #   scripts/curves.sh LAYOUT NAME [gear=FILE] [PARAMETER=VALUE ...]
-#   scripts/curves.sh li1 mine k_s=6.38e5 b=140
+#   scripts/curves.sh li1 plane k_s=6.38e5 b=140
 #
 # Sourced after lib.sh by the scripts of Figures 9, 12 and 14; by itself it makes
 # the curves of a user's own values and gear, and tells where there is no shimmy.

@@ -2,7 +2,7 @@
 # simulate.sh - a layout in time, as a table and a picture
 #
 #   scripts/simulate.sh LAYOUT NAME [PARAMETER=VALUE ...] STATE=VALUE ...
-#   scripts/simulate.sh l1 mine V=40 psi=0.3 t_end=2
+#   scripts/simulate.sh l1 kick V=40 psi=0.3 t_end=2
 #
 # Needs:  simulate-LAYOUT (make simulate), which says what the words may be.
 # Writes: build/tables/NAME.csv, its history, and build/tables/NAME.png: psi, delta*

@@ -130,6 +130,21 @@ refuses() {
   [ "$output" = "simulate: NAME '../mine': letters, digits, dot, _ and - only" ]
 }
 
+@test "the picture has a dot for each tyre at each limit, and none elsewhere" {
+  local start limits
+  mkdir -p build/tables
+  sed -i 's/^set terminal .*/set terminal svg/; s/\.png\.new/.svg/' scripts/simulate.gp
+  for start in 0.3 0.01; do
+    build/bin/simulate-l1 history V=40 psi=$start t_end=1 >build/tables/dots.csv
+    limits=$(grep -c ',limit$' build/tables/dots.csv) || [ "$limits" -eq 0 ]
+    run -0 env LC_ALL=C.UTF-8 gnuplot -e "figure='dots'" scripts/style.gp scripts/simulate.gp
+    [ -z "$output" ] || { echo "$output" && return 1; }
+    # one more in the key
+    [ "$(grep -c "<use xlink:href='#gpPt6'" build/tables/dots.svg)" -eq $((limits ? 2 * limits + 1 : 0)) ]
+  done
+  cp "$ROOT/scripts/simulate.gp" scripts
+}
+
 @test "bad input: one line, status 2" {
   local usage='usage: simulate history|orbit|growth|section STATE up|down [NAME=VALUE ...]'
   refuses 2 "$usage" l1
