@@ -4,11 +4,13 @@ kilo = 1e-3 # axes in kN m s/rad
 # cycles.csv: 1 layout, 4 branch, 5 type, 6 V, 7 c_d, 8 psi_max, 10 stable.  The orbits of
 # one layout with that stability along c_d, a block for each unbroken stretch.
 cycles(layout, stable) = sprintf("< awk -F, '$1==\"%s\"&&$4~/^V/{if($4!=branch||($10!=%d))print \"\"; if($4==branch&&$10==%d&&was!=%d)print last; if($10==%d)print; branch=$4; was=$10; last=$0}' results/cycles.csv", layout, stable, stable, stable, stable)
+# the first orbit of each of its branches along c_d, at the speed of column 6
+speeds(layout) = sprintf("< awk -F, '$1==\"%s\"&&$4~/^V/&&$4!=branch{print; branch=$4}' results/cycles.csv", layout)
 curve(name) = where("results/fig07.csv", "curve", name)
 bound(layout, column) = real(system(sprintf("awk -F, '$1==\"%s\"{print $%d}' results/certify.csv", layout, column)))
 array layouts[4] = ["l1", "l2", "li1", "li2"]
 array titles[4] = ["(a) L1", "(b) L2, k_s = 7.86·10^5 N m/rad", "(c) LI1, k_s = 6.38·10^5 N m/rad, b = 140 N m s^2/rad", "(d) LI2, k_s = 2.48·10^6 N m/rad, b = 140 N m s^2/rad"]
-array colours[4] = ["#000000", "#e08214", "#2a9d5c", "#7b3fa0"]
+array colours[4] = ["#000000", "#1f4fd8", "#2a9d5c", "#e08214"]
 
 set style textbox opaque noborder fillcolor rgb "white" margins 0.4,0.3
 
@@ -28,7 +30,8 @@ do for [ending in "png svg"] {
     set label 1 "zero-shimmy" at sqrt(c_lo * c_hi), (i == 1 ? 20 : 0.064) center rotate by 0 front boxed
     plot cycles(layouts[i], 1) using (kilo*$7):8 with lines ls 1, \
          cycles(layouts[i], 0) using (kilo*$7):8 with lines ls 2, \
-         sprintf("< awk -F, '$1==\"%s\"&&$5==\"LP\"&&$8>1' results/cycles.csv", layouts[i]) using (kilo*$7):8 with points ls 7
+         sprintf("< awk -F, '$1==\"%s\"&&$5==\"LP\"&&$8>1' results/cycles.csv", layouts[i]) using (kilo*$7):8 with points ls 7, \
+         speeds(layouts[i]) using (kilo*$7):(0.135):6 with labels rotate by 90 font ",10" right
   }
   unset object 1; unset label 1; unset logscale
   set title "(e) L1: folds of cycles in the plane of Figure 7"

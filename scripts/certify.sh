@@ -200,11 +200,13 @@ certified_row() { # LAYOUT
       if ($3 > psi_start) psi_start = $3
       if ($4 > dstar_start) dstar_start = $4
       if ($10 != "falls") sustained++
-      if (rate == "" || $9 < rate) rate = $9
+      if ($6 > seconds) seconds = $6
+      if ($7 > psi_end) psi_end = $7
+      if ($8 > dstar_end) dstar_end = $8
       next
     }
     $1 != layout { next }
-    FILENAME ~ /criticality/ { if ($5 != "GH") hopf++; if ($10 > 0) { subcritical++; if ($7 > c_most) c_most = $7 }; next }
+    FILENAME ~ /criticality/ { if ($5 != "GH") hopf++; if ($10 > 0) subcritical++; if (($10 > 0 || $5 == "GH") && $7 > c_most) c_most = $7; next }
     FILENAME ~ /folds/ {
       gap = $5 < c_lo ? c_lo / $5 : $5 / c_hi
       if (nearest == "" || gap < nearest) { nearest = gap; fold_V = $4; fold_c = $5 }
@@ -212,8 +214,8 @@ certified_row() { # LAYOUT
     }
     { cycles++; if ($7 > c_lo && $7 < c_hi) inside++; if ($8 > psi) psi = $8; if ($9 > dstar) dstar = $9 }
     END {
-      printf "%s,%s,%s,%s,%s,%d,%d,%s,%d,%d,%s,%s,%s,%s,%d,%s,%s,%d,%s\n", layout, k_s, b, c_lo, c_hi, hopf, subcritical, c_most,
-        cycles, inside, psi, dstar, fold_V, fold_c, starts, psi_start, dstar_start, sustained, rate
+      printf "%s,%s,%s,%s,%s,%d,%d,%s,%d,%d,%s,%s,%s,%s,%d,%s,%s,%s,%s,%s,%d\n", layout, k_s, b, c_lo, c_hi, hopf, subcritical, c_most,
+        cycles, inside, psi, dstar, nearest == "" ? "" : sprintf("%.3g", fold_V), nearest == "" ? "" : sprintf("%.4g", fold_c), starts, psi_start, dstar_start, seconds, psi_end, dstar_end, sustained
     }' "build/tables/search.$1.csv" "$criticality.new" "$folds.new" "$cycles.new"
 }
 
@@ -239,8 +241,8 @@ tables() {
   printf '%s\n' "# Evidence for each zero-shimmy interval c_lo to c_hi (N m s/rad) beyond linear theory (docs/certification.md)." \
     "# hopf_points on the curves, how many subcritical and up to which c_d; cycles computed, how many inside the interval," \
     "# up to psi_max deg and dstar_max m; the nearest fold of cycles; starts inside, up to psi_start deg and dstar_start m" \
-    "# in their first 2 s; how many were sustained; rate_least: slowest fall of the size at the end, 1/s." \
-    layout,k_s,b,c_lo,c_hi,hopf_points,subcritical,subcritical_c_d,cycles,cycles_inside,psi_max,dstar_max,fold_V,fold_c_d,starts,psi_start,dstar_start,sustained,rate_least \
+    "# in their first 2 s, down to psi_end and dstar_end within so many seconds; how many were sustained." \
+    layout,k_s,b,c_lo,c_hi,hopf_points,subcritical,subcritical_c_d,cycles,cycles_inside,psi_max,dstar_max,fold_V,fold_c_d,starts,psi_start,dstar_start,seconds,psi_end,dstar_end,sustained \
     > "$certify.new"
   for layout in $layouts; do
     region "$layout"

@@ -8,8 +8,9 @@
  * the ranges below; the device starts at rest.  NAME is a parameter of models/mlg.h.
  *
  * The size of an oscillation is max sqrt((psi/psi_0)^2 + (delta/delta_0)^2) over two
- * seconds.  A start whose size still falls at the end "falls"; one whose size does
- * not, is integrated ten times longer before it is said to be "sustained".
+ * seconds.  A start is followed for 30 s at least and until its size is below a tenth,
+ * that is delta* below 3 mm and psi below 1.5 degrees; if it still falls there it
+ * "falls".  One that is not there after 2000 s, or does not fall, is "sustained".
  *
  * Prints CSV: V m/s, c_d N m s/rad, psi_start and dstar_start (largest psi, deg, and
  * delta*, m, in the first two seconds), limits (how often a slip angle passed alpha_m),
@@ -25,8 +26,8 @@
 static const double psi_0 = 15. * MLG_PI / 180.; /* rad; the cycles followed end at 15 degrees */
 static const double dstar_0 = 0.03;              /* m; the largest cycles reach 0.013 */
 static const double window = 2., step = 1e-3;    /* s */
-static const double seconds = 30.;               /* of one start */
-enum { ROUNDS = 10 };                            /* before it is said to be sustained */
+static const double least = 30., most = 2000.;   /* s, of one start */
+static const double small = 0.1;                 /* size that it has to fall below */
 
 /* Element i = 1, 2, ... of the van der Corput sequence of a prime base, in 0 to 1. */
 static double halton(int i, int base)
@@ -69,21 +70,19 @@ static struct size over_window(struct integrator *run)
 static void try_start(struct integrator *run, const double par[], const double u[])
 {
   struct size first, last, before;
-  double rate = 0.;
 
   integrator_start(run, par, u);
-  first = over_window(run);
-  for (int round = 0; round < ROUNDS && !(rate > 0.); round++) {
-    last = first;
-    while (run->t < (round + 1) * seconds) {
-      before = last;
-      last = over_window(run);
-      rate = log(before.both / last.both) / window;
-    }
-  }
+  last = first = over_window(run);
+  do {
+    before = last;
+    last = over_window(run);
+  } while (run->t < least || (run->t < most && !(last.both < small && last.both < before.both)));
+  const double rate = log(before.both / last.both) / window;
+  const char *verdict = last.both < small && rate > 0. ? "falls" : "sustained";
+
   printf("%.6g,%.8g,%.4g,%.4g,%ld,%.0f,%.4g,%.4g,%.3e,%s\n", par[PAR_V], par[PAR_C_D],
          first.psi * 180. / MLG_PI, first.dstar, run->limits, run->t, last.psi * 180. / MLG_PI,
-         last.dstar, rate, rate > 0. ? "falls" : "sustained");
+         last.dstar, rate, verdict);
 }
 
 static double number(const char *text, double least)

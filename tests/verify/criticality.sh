@@ -9,6 +9,8 @@
 # and two of them extrapolate (c_d - c_0) / r^2 to r = 0.
 # Needs:  eigen-LAYOUT
 # Prints: rows what,unit,ours,oracle,tolerance (no header): ours AUTO's c_2.
+#         Last, how many boundary points of results/boundary_points.csv with c_d from 100
+#         to 8e4 N m s/rad and V above 0.2 m/s are subcritical: none.
 #         short: the two bounds of layout L1 only.
 # shellcheck disable=SC2028 # text for awk
 . "$(dirname "${BASH_SOURCE[0]}")/../../scripts/lib.sh"
@@ -41,3 +43,10 @@ check li1 6.38e5 140 5 3
 check li1 6.38e5 140 24 1
 check li2 2.48e6 140 11 1
 check li2 2.48e6 140 20 2
+
+for layout in l2 li1 li2; do
+  awk -F, -v layout="$layout" '$1 == layout && $5 == "" && $7 >= 100 && $7 <= 8e4 && $8 > 0.2 {
+    print $8 "," $7 "," ($6 == "inf" ? 1e30 : $6) "," $2 "," $9 }' results/boundary_points.csv \
+    | "build/bin/eigen-$layout" criticality
+done | awk -F, '$1 + 0 > 0 { n++; subcritical += !($5 < 0) } END {
+  printf "subcritical ones of %d boundary points over k_s and b,points,%d,0,0 points\n", n, subcritical }'
