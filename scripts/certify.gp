@@ -4,8 +4,9 @@ kilo = 1e-3 # axes in kN m s/rad
 # cycles.csv: 1 layout, 4 branch, 5 type, 6 V, 7 c_d, 8 psi_max, 10 stable.  The orbits of
 # one layout with that stability along c_d, a block for each unbroken stretch.
 cycles(layout, stable) = sprintf("< awk -F, '$1==\"%s\"&&$4~/^V/{if($4!=branch||($10!=%d))print \"\"; if($4==branch&&$10==%d&&was!=%d)print last; if($10==%d)print; branch=$4; was=$10; last=$0}' results/cycles.csv", layout, stable, stable, stable, stable)
-# the first orbit of each of its branches along c_d, at the speed of column 6
-speeds(layout) = sprintf("< awk -F, '$1==\"%s\"&&$4~/^V/&&$4!=branch{print; branch=$4}' results/cycles.csv", layout)
+# the first orbit of each of its branches along c_d, at the speed of column 6; where they
+# crowd, one of them
+speeds(layout) = sprintf("< awk -F, '$1==\"%s\"&&$4~/^V/&&$4!=branch{print; branch=$4}' results/cycles.csv | sort -t, -g -k7 | awk -F, '$7>1.15*last{print; last=$7}'", layout)
 curve(name) = where("results/fig07.csv", "curve", name)
 bound(layout, column) = real(system(sprintf("awk -F, '$1==\"%s\"{print $%d}' results/certify.csv", layout, column)))
 array layouts[4] = ["l1", "l2", "li1", "li2"]
