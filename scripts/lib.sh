@@ -165,7 +165,11 @@ run() {
   inputs=$(sha256sum "$file" scripts/{auto,judge}.awk "$model" ${from:+"$origin"})
   sums+=$'\n'$inputs
   text=$(build/bin/constants "$file" "${settings[@]}") || exit $?
-  [ -z "$from" ] || text+=$'\n'"s = '$from'"
+  if [ -n "$from" ]; then
+    [[ $text =~ $'\n'IRS\ =\ [^0] ]] ||
+      fail "$name: from=$from starts anew because IRS = 0 in $file; say which solution, as IRS=\"'HB1'\"" 2
+    text+=$'\n'"s = '$from'"
+  fi
   text+=$'\n'"sv = '$name'" # AUTO writes b.NAME, s.NAME and d.NAME itself
   use build/bin/constants "$dir/stamp"
   passed "$name"
@@ -189,8 +193,9 @@ run() {
   found=$(awk -v expect="$*" -v status="$status" -f scripts/auto.awk -f scripts/judge.awk "$work/d.$name" "$work/b.$name")
   [ "$status" -ne 0 ] || is_whole "$work" "$name" || found="FAIL what AUTO wrote is cut short (is the disk full?)"
   case $found in FAIL\ * | *$'\n'FAIL\ *)
-    # the models' own word first: a parameter that left its range
-    { echo "$name ($file): $( { grep '^PAR(' "$work/auto.log" || true; grep '^FAIL ' <<< "$found" | sed 's/^FAIL //'; } | paste -sd ';')"
+    # first the models' own word, of a parameter that left its range, and AUTO's, of its start
+    { echo "$name ($file): $(awk 'sub(/^FAIL /, "") || /^PAR\(|^ *Restart label .*not found|^The solution file .*not be found/ {
+        gsub(/^ +|\.$/, ""); printf "%s%s", n++ ? "; " : "", $0 }' "$work/auto.log" - <<< "$found")"
       echo "  end of AUTO's output ($work/auto.log):"
       tail -n 6 "$work/auto.log" | sed 's/^/  | /'; } >&2
     exit 1 ;;
@@ -201,7 +206,7 @@ run() {
   [ ! -e "$dir" ] || rm -rf "$dir/stamp" "$dir" # half removed it must not count as made
   mv "$work" "$dir"
   exec 9>&-
-  report "$name" "$started" "$found"
+  report "$name" "$started" "${found:-no special point}"
 }
 
 # Tables.  begin_table FILE LINE... opens a table with these head lines, and the

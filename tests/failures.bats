@@ -223,9 +223,23 @@ fails() {
 }
 
 @test "a start that is not in the solutions" {
-  fails '*' start l1.periodic from=straight IRS="'HB9'" -- closed=1
-  [[ $output == *'HB9 not found'* ]]
-  fails '*' start l1.hopf -- UZ=1
+  fails 'Restart label HB9 not found; AUTO computed no solution; expected 1 closed, found 0' start l1.periodic from=straight IRS="'HB9'" -- closed=1
+  fails 'The solution file * could not be found; AUTO computed no solution; expected 1 UZ, found 0' start l1.hopf -- UZ=1
+}
+
+@test "a run to start from, and IRS = 0, which starts anew" {
+  local why="a: from=straight starts anew because IRS = 0 in *; say which solution, as IRS=\"'HB1'\""
+  refuses "${why/\*/constants/c.l2.straight}" auto_run a l2.straight from=straight --
+  refuses "${why/\*/constants/c.l1.periodic}" auto_run a l1.periodic from=straight IRS=0 --
+  mkdir -p build/tmp
+  grep -v '^IRS' build/constants/c.li3.hopf >build/tmp/c.li3.none # 0 is AUTO's default
+  refuses "${why/\*/build/tmp/c.li3.none}" auto_run a build/tmp/c.li3.none from=straight --
+  [ ! -e build/runs/a ]
+}
+
+@test "where there is no shimmy a run says that it found no point" {
+  auto_run calm l1.straight c_d=2900 >calm
+  [[ $(<calm) == '  calm '*' ms  no special point' ]]
 }
 
 # judge SED: judges the psi branch with its b. file changed
