@@ -166,7 +166,7 @@ run() {
   sums+=$'\n'$inputs
   text=$(build/bin/constants "$file" "${settings[@]}") || exit $?
   if [ -n "$from" ]; then
-    [[ $text =~ $'\n'IRS\ =\ [^0] ]] ||
+    [[ $text =~ $'\n'"IRS = "[^0] ]] ||
       fail "$name: from=$from starts anew because IRS = 0 in $file; say which solution, as IRS=\"'HB1'\"" 2
     text+=$'\n'"s = '$from'"
   fi

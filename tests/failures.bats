@@ -238,8 +238,8 @@ fails() {
 }
 
 @test "where there is no shimmy a run says that it found no point" {
-  auto_run calm l1.straight c_d=2900 >calm
-  [[ $(<calm) == '  calm '*' ms  no special point' ]]
+  auto_run calm l1.straight c_d=2900 >found
+  [[ $(<found) == '  calm '*' ms  no special point' ]]
 }
 
 # judge SED: judges the psi branch with its b. file changed
