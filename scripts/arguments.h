@@ -69,6 +69,15 @@ static inline int set_parameter(const char *program, double par[], const char *w
   return p->slot;
 }
 
+/* The same for a program that looks over the whole plane (V, c_d). */
+static inline void set_beside_axes(const char *program, double par[], const char *word)
+{
+  const int slot = set_parameter(program, par, word);
+
+  if (slot == PAR_V || slot == PAR_C_D)
+    refuse(program, word, "V and c_d are the axes; give other parameters");
+}
+
 /* The status to end with: 1 when not all of the output could be written. */
 static inline int output_status(const char *program)
 {

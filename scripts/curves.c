@@ -422,7 +422,7 @@ int main(int argc, char *argv[])
 
   mlg_defaults(par);
   for (int i = 1; i < argc; i++)
-    set_parameter("curves", par, argv[i]);
+    set_beside_axes("curves", par, argv[i]);
   f = characteristic(par);
   curves = all_curves(&f, &n);
   printf("curve,kind,shimmy,c_d,V,way,stop,V_range,step,extrema\n");

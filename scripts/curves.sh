@@ -117,7 +117,6 @@ if [ "${BASH_SOURCE[0]}" = "$0" ]; then
   set -- "${values[@]}"
   [ -f "models/$layout.c" ] || fail "curves: there is no models/$layout.c" 2
   case $name in */*) fail "curves: NAME '$name' has a slash; expected a plain name" 2 ;; esac
-  case " $*" in *" V="* | *" c_d="*) fail "curves: V and c_d are the axes; give other parameters" 2 ;; esac
   case " $*" in *" k_s="*) ;; *) set -- "$@" k_s=1e30 ;; esac
   case " $*" in *" b="*) ;; *) set -- "$@" b=0 ;; esac
   hopf_curves "$layout" "$name" "$@"

@@ -6,8 +6,10 @@
  *   scan-LAYOUT regions   [NAME=VALUE ...]  all intervals over k_s, from AUTO's
  *                         curves of boundary points on standard input
  *   scan-LAYOUT check C_LO C_HI [NAME=VALUE ...]  status 0 if that is an interval
+ *                         and cannot be made longer, else 1
  *
- * NAME: a parameter of models/mlg.h, or compliance (1e5/k_s; 0 is rigid).
+ * NAME: a parameter of models/mlg.h, or compliance (1e5/k_s; 0 is rigid), but not V
+ * and c_d, over which it looks.
  * At fixed frequency omega every Hopf point (V, c_d) is the root of a quadratic
  * (models/characteristic.h).  The frequencies are swept; where c_d has an
  * extremum along the curve of these points, that is a boundary point, refined
@@ -590,7 +592,7 @@ int main(int argc, char *argv[])
 
   mlg_defaults(par);
   for (int i = check ? 4 : 2; i < argc; i++)
-    set_parameter("scan", par, argv[i]);
+    set_beside_axes("scan", par, argv[i]);
   if (strcmp(what, "points") == 0)
     print_points(par);
   else if (strcmp(what, "intervals") == 0)

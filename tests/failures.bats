@@ -148,9 +148,13 @@ fails() {
       refuses "*: 'R=nan': expected NAME=NUMBER" build/bin/$program R=nan
       refuses "*: 'R': expected NAME=NUMBER" build/bin/$program R
       refuses "*: 'c_q=1': no such parameter*" build/bin/$program c_q=1
+      refuses "*: 'V=20': V and c_d are the axes; give other parameters" build/bin/$program V=20
+      refuses "*: 'c_d=1e3': V and c_d are the axes; give other parameters" build/bin/$program k_s=1e6 c_d=1e3
     }
   done
+  refuses "scan: 'V=20': *" build/bin/scan-l1 check 2800 3000 V=20
   refuses 'usage: scan *' build/bin/scan-l1 check 1e3 many
+  refuses "curves: 'c_d=1e3': *" scripts/curves.sh l1 a c_d=1e3
 }
 
 @test "a result taken for a parameter" {
