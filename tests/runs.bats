@@ -255,7 +255,7 @@ branches() {
 # Half a unit of the sixth digit, the last one shown
 @test "twice the mesh and a tenth of the tolerances change no digit shown" {
   local column
-  branches fine NTST=30 EPSL=1e-9 EPSU=1e-9 EPSS=1e-8
+  branches fine NTST=40 EPSL=1e-9 EPSU=1e-9 EPSS=1e-8
   for column in V period psi_max dstar_max; do
     near "$(value fig06.a.psi TR "$column")" "$(value fine.psi TR "$column")" 5e-7 "$column of TR, psi"
     near "$(value fig06.a.delta TR "$column")" "$(value fine.delta TR "$column")" 5e-7 "$column of TR, delta"
