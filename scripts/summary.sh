@@ -41,6 +41,16 @@ best() { # LAYOUT
   awk -F, -v layout="$1" '$1 == layout && $6 > w { w = $6; b = $2 } END { print b }' results/widths.csv
 }
 
+# Between which b a layout is wider than L2, on straight lines between the rows.
+wider_than_l2() { # LAYOUT
+  awk -F, -v layout="$1" -v l2="$(number %s widths width layout=li2 b=0)" '
+    $1 == layout {
+      if (n++ && (w > l2) != ($6 > l2)) ends = ends sprintf("%s%.0f", ends ? " to " : "", b + ($2 - b) * (l2 - w) / ($6 - w))
+      b = $2; w = $6
+    }
+    END { print ends }' results/widths.csv
+}
+
 layouts() { grep -l '^#include "plugin.h"' models/*.c | sed 's|.*/||; s|\.c$||'; }
 
 # picture NAME TITLE CAPTION SEE: results/NAME.png, what it is and what to see in it
@@ -55,7 +65,9 @@ best=$(best li1)
   cat <<TEXT
 # Results
 
-Made by \`make\` from AUTO's runs; every number in the table and in the texts is read from
+Made by \`make\` from AUTO's runs; of the figures beyond the paper, damping, transients,
+certify and sections come from targets of these names (LAPACK, SUNDIALS), which \`make\`
+alone does not repeat. Every number in the table and in the texts is read from
 the tables beside this page. \`docs/runs.md\` says how they come about and what their
 columns are. Units are SI, psi in degrees; delta* = l_delta delta is the deflection of the
 strut's end in metres.
@@ -111,7 +123,7 @@ TEXT
     "At b = 20 the delta region is a small closed curve; at 30 it reaches down to small c_d. From b = 70 on a third psi region rises from below: at 130, with the k_s shown, its top is still under that of the lower psi region, at 150 it is above and bounds the shimmy-free room."
   picture fig13 "Figure 13: the best b and k_s of layout LI1" \
     "(a) Boundary points and zero-shimmy regions from k_s = 2.86e5 N m/rad on, (b) largest width over k_s, and what limits it." \
-    "The inerter first harms, from b = 0 to about 40, then helps: the largest width, $(number %.1f widths width layout=li1 b="$best") N m s/rad at b = $(number %.2f widths b layout=li1 b="$best") N m s^2/rad and k_s = $(number %.0f widths k_s layout=li1 b="$best") N m/rad, is $(gain li1 "$best") % more than L2 reaches. Beyond, the third psi region takes it away; at b = 200 nothing is left."
+    "A little inertance harms: the width falls to $(number %.1f widths width layout=li1 b=40) N m s/rad at b = 40, less than half of L2's, and grows again. It exceeds L2's only for b about $(wider_than_l2 li1), and not by much: the largest width, $(number %.1f widths width layout=li1 b="$best") N m s/rad at b = $(number %.2f widths b layout=li1 b="$best") N m s^2/rad and k_s = $(number %.0f widths k_s layout=li1 b="$best") N m/rad, is $(gain li1 "$best") % more than L2 reaches. Beyond, the third psi region takes it away; at b = 200 nothing is left."
   picture fig14 "Figure 14: an inerter beside the series spring, layout LI2" \
     "Hopf curves for several k_s, b = 50 and 100; psi regions solid, delta regions dashed." \
     "At b = 100 a delta region at small k_s shrinks and is gone as k_s grows (b1), and another one is born at large k_s (b2). Between the two the whole room between the psi regions is free, and it is wider than with L2."
