@@ -205,7 +205,7 @@ fig15: ## Figure 15: zero-shimmy regions and largest width, layout LI2
 filmstrip: ## solutions A and B of Figure 6 over a period: the gear from above and behind
 layouts: ## layouts LI3, LI4 and LI5: diagrams, boundary points, widths (docs/layouts.md)
 damping: ## least damping ratios of every layout, a minute or two (docs/damping.md)
-transients: ## peaks and settling times after a disturbance, a minute more (docs/damping.md)
+transients: ## peaks and settling times after a disturbance, four minutes more (docs/damping.md)
 certify: ## do oscillations reach into the zero-shimmy regions? (docs/certification.md)
 
 # --- drawings of the gear and of each layout, docs/drawings ------------------

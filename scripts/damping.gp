@@ -14,10 +14,10 @@ b_of(layout) = layout eq "l2" ? "0" : "140"
 region(layout) = sprintf("< awk -v layout=%s -v b=%s -f scripts/chains.awk results/%s.csv | tr , ' '", layout, b_of(layout), figure_of(layout))
 widest(layout) = sprintf("< awk -F, '$1==\"%s\" && $2==%s {print $3,$4,$5}' results/widths.csv", layout eq "l2" ? "li2" : layout, b_of(layout))
 layouts = "l1 l2 li1 li2"
-array title[8] = ["(a1) L1", "(a2) L2, k_s = 0.4755 MN m/rad", "(a3) LI1, b = 140, k_s = 0.3048", "(a4) LI2, b = 140, k_s = 1.405", \
-                  "(b1) L1", "(b2) L2", "(b3) LI1, b = 140", "(b4) LI2, b = 140"]
+array title[8] = ["(a1) L1", "(a2) L2, k_s = 475.5 kN m/rad", "(a3) LI1, k_s = 304.8 kN m/rad,\nb = 140 N m s^2/rad", "(a4) LI2, k_s = 1405 kN m/rad,\nb = 140 N m s^2/rad", \
+                  "(b1) L1", "(b2) L2", "(b3) LI1, b = 140 N m s^2/rad", "(b4) LI2, b = 140 N m s^2/rad"]
 set style line 21 lc rgb "#d62728" pt 3 ps 1.4 lw 2 # the best damped gear
-set style line 22 lc rgb "#1f4fd8" lw 2 pt 7 ps 0.8 # LI2
+set style line 22 lc rgb "#e08214" lw 2 pt 7 ps 0.8 # LI2
 set style line 23 lc rgb "#2a9d5c" lw 2 pt 7 ps 0.8 # LI1
 set style line 24 lc rgb "#000000" lw 1.5 dt (8,4)  # L1
 set palette maxcolors 6 defined (-5.5 "#e3edf8", -4.5 "#9fc5e8", -3.5 "#3f7fbf", -2.5 "#0b2f66")
@@ -38,7 +38,7 @@ do for [ending in "png svg"] {
       set xrange [2.7:3.1]; set yrange [-2:4]; set xtics 0.1; set ytics 1
       set xlabel "c_d (kN m s/rad)" offset 0,0.3; set ylabel "least ζ over V (10^{-5})" offset 1.5,0
       plot 0 with lines ls 3, \
-           "< tr , ' ' < ".map("l1.c_d") using (1e-3*$1):(1e5*$2) with lines lw 2 lc rgb "#1f4fd8", \
+           "< tr , ' ' < ".map("l1.c_d") using (1e-3*$1):(1e5*$2) with lines lw 2 lc rgb "#000000", \
            best("l1") using (1e-3*$5):(1e5*$6) with points ls 21
     } else {
       i = row ? 1 : 2; j = row ? 2 : 1
@@ -93,7 +93,7 @@ do for [ending in "png svg"] {
   set xlabel "b (N m s^2/rad)"; set ylabel "least ζ over V" offset 0.2,0
   stats best("l1") using 6 name "l1" nooutput
   set label 1 "L1" at 293,1.2*l1_max right
-  set label 2 "L2" at 4,1.35e-4
+  set label 2 "L2 (b = 0)" at 2,4.4e-5 tc rgb "#1f4fd8"
   set label 3 "LI2, best damped" at 200,1.15e-3 center tc ls 22
   set label 4 "LI2, widest interval" at 240,7.4e-5 center tc ls 22
   set label 5 "LI1, best damped" at 90,2.4e-4 center tc ls 23

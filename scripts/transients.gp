@@ -3,12 +3,11 @@
 gears = "paper.l1 paper.l2 paper.li1 paper.li2 best.l2 best.li1 best.li2"
 names = "L1 L2 LI1 LI2"
 colours = "#000000 #1f4fd8 #2a9d5c #e08214"
-# rows: 3 V, 5 psi_max, 6 dstar_max, 7 psi_5, 10 dstar_5
+# rows: 3 V, 5 psi_max, 6 dstar_max, 7 psi_5, 9 dstar_5
 rows(i, disturbance) = sprintf("< awk -F, -v gear=%s '$1\".\"$2==gear && $4==\"%s\"' results/transients.csv", word(gears, i), disturbance)
 zeta(i) = sprintf("build/tables/transients.%s.zeta.csv", word(gears, i))
 do for [i=1:4] { set style line 30+i lw 2 lc rgb word(colours, i) }
 do for [i=5:7] { set style line 30+i lw 2 lc rgb word(colours, i - 3) dt 2 }
-window = 10
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1500,950 font "DejaVu Sans,13" } \
   else { set terminal svg size 1500,950 font "DejaVu Sans,14" }
@@ -37,17 +36,15 @@ do for [ending in "png svg"] {
     }
     if (panel == 2 || panel == 4) {
       set logscale y; set format y "10^{%T}"; set ylabel "settling time to 5 % (s)" offset 0.5,0
-      set object 1 rectangle from graph 0,first window to graph 1,graph 1 fs solid noborder fc rgb "#f0f0f0" behind
       if (panel == 2) {
-        set title "(b) ψ settles after ψ'" offset 0,-0.6; set yrange [0.1:1e3]
-        set label 1 "grey: beyond the 10 s of\nintegration, by the decay rate" at graph 0.97,0.93 right
+        set title "(b) ψ settles after ψ'" offset 0,-0.6; set yrange [0.1:2e3]
         plot for [i=1:7] rows(i, "psi") using 3:7 with lines ls 30+i
       } else {
         set title "(d) δ* settles after δ'" offset 0,-0.6; set yrange [1:1e4]
         set label 1 "1 hour" at graph 0.97,first 3600*1.3 right
-        plot 3600 with lines lc rgb "#808080" dt 3, for [i=1:7] rows(i, "delta") using 3:10 with lines ls 30+i
+        plot 3600 with lines lc rgb "#808080" dt 3, for [i=1:7] rows(i, "delta") using 3:9 with lines ls 30+i
       }
-      unset object 1; unset label 1
+      unset label 1
     }
     if (panel == 5) {
       set title "(e) least damping ratio" offset 0,-0.6; set ylabel "ζ" offset 4.5,0

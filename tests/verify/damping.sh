@@ -31,16 +31,16 @@ ratios() { # CHOICE|CHOICE...
   done < <(awk -F, -v choices="^($1)$" '!/^#/ && $2 ~ choices' results/damping.csv)
 }
 
-# decay rates after psi' = 1 rad/s, measured in the second half of the window: at these
-# speeds the psi mode has died by then
+# decay rates after psi' = 1 rad/s, measured from 5 % to 2 % of the peak: at these speeds
+# the psi mode has died by then
 rates() {
   local choice layout V measured c_d k_s b oracle
-  while IFS=, read -r choice layout V _ _ _ _ _ _ _ _ measured _; do
+  while IFS=, read -r choice layout V _ _ _ _ _ _ measured _; do
     IFS=, read -r b k_s c_d < <(awk -F, -v layout="$layout" -v choice="$choice" '
       $1 == layout && $2 == choice && ($3 == 0 || $3 == 140) { row = $3 "," $4 "," $5 } END { print row }' results/damping.csv)
     read -r _ oracle < <(least "$layout" V="$V" c_d="$c_d" k_s="$k_s" b="$b")
     echo "$layout $choice: decay rate of delta* at V = $V,1/s,$measured,$oracle,1e-4"
-  done < <(awk -F, '$4 == "psi" && $12 != "" && ($3 == 100 || $3 == 150)' results/transients.csv)
+  done < <(awk -F, '$4 == "psi" && $10 != "" && ($3 == 100 || $3 == 150)' results/transients.csv)
 }
 
 ratios middle
