@@ -26,15 +26,9 @@ readonly layouts="l1 l2 li1 li2"
 readonly speeds="0.5 5 8 11 16 24 36 60 100 150" # m/s
 readonly starts=400
 
-# The region of a layout: k_s, b, and the widest interval of c_d there.
+# The region of a layout: k_s, b, and the interval of c_d there.
 region() { # LAYOUT
-  case $1 in
-    l1) k_s=1e30 b=0 ;;
-    l2) k_s=7.86e5 b=0 ;;
-    li1) k_s=6.38e5 b=140 ;;
-    li2) k_s=2.48e6 b=140 ;; # just below the k_s at which its delta region is born
-  esac
-  IFS=, read -r c_lo c_hi _ < <("build/bin/scan-$1" intervals k_s="$k_s" b="$b" | sed -n 2p)
+  read -r k_s b c_lo c_hi < <(paper_gear "$1")
 }
 
 # Hopf points along one parameter, from eigenvalues: "VALUE FREQUENCY loses" or "... regains".
@@ -105,22 +99,17 @@ folds() { # LAYOUT
 }
 
 certify_region() { # LAYOUT
-  local k_s b c_lo c_hi list="build/runs/certify.$1.list" search="build/tables/search.$1.csv" stamp
+  local k_s b c_lo c_hi list="build/runs/certify.$1.list"
   region "$1"
-  use "build/bin/"{scan,eigen,search}"-$1" "$search" "$list"
+  use "build/bin/"{scan,eigen}"-$1" "$list"
   hopf_curves "$1" "certify.$1.hopf" k_s="$k_s" b="$b"
   : > "$list.new"
   cycles_in_c_d "$1"
   cycles_in_V "$1"
   folds "$1"
   mv "$list.new" "$list"
-  stamp=$( { echo "$c_lo $c_hi $starts $k_s $b"; cat "build/bin/search-$1"; } | sha256sum)
-  if [ "$(cat "$search.stamp" 2>/dev/null)" != "$stamp" ]; then
-    "build/bin/search-$1" "$c_lo" "$c_hi" "$starts" k_s="$k_s" b="$b" > "$search.new"
-    mv "$search.new" "$search"
-    echo "$stamp" > "$search.stamp"
-    echo "  search.$1: $(awk -F, 'NR > 1 { n[$NF]++ } END { for (v in n) printf "%d starts: %s ", n[v], v }' "$search")"
-  fi
+  made "search.$1" "build/bin/"{scan,search}"-$1" scripts/certify.sh \
+    -- "build/bin/search-$1" "$c_lo" "$c_hi" "$starts" k_s="$k_s" b="$b"
 }
 
 runs_l1() { certify_region l1; }

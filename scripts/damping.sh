@@ -18,21 +18,6 @@ of() { # NAME LAYOUT COMMAND...
   made "damping.$1" build/bin/{damping,scan}-"$2" results/widths.csv scripts/damping.sh -- "${@:3}"
 }
 
-# The gear whose interval the paper calls best, as "k_s b c_lo c_hi".  For LI2 it gives b
-# only: k_s is where the interval is widest, just below the onset of the delta region.
-paper() { # LAYOUT
-  case $1 in
-    l1) interval l1 1e30 0 ;;
-    l2) interval l2 7.86e5 0 ;;
-    li1) interval li1 6.38e5 140 ;;
-    li2) interval li2 2.48e6 140 ;;
-  esac
-}
-
-interval() { # LAYOUT K_S B
-  "build/bin/scan-$1" intervals k_s="$2" b="$3" | awk -F, -v k_s="$2" -v b="$3" 'NR == 2 { print k_s, b, $1, $2 }'
-}
-
 # The widest interval over k_s at every second b of widths.csv.
 widest() { # LAYOUT
   awk -F, -v layout="$1" '$1 == layout && $2 % 20 == 0 && $6 > 0 { print $3, $2, $4, $5 }' results/widths.csv
@@ -85,8 +70,8 @@ runs_planes() {
 runs_search() {
   local layout
   for layout in l1 l2 li1 li2; do
-    of "$layout.middle" "$layout" middle "$layout" middle < <(paper "$layout")
-    of "$layout.paper" "$layout" best_in_interval "$layout" paper < <(paper "$layout")
+    of "$layout.middle" "$layout" middle "$layout" middle < <(paper_gear "$layout")
+    of "$layout.paper" "$layout" best_in_interval "$layout" paper < <(paper_gear "$layout")
   done
   of l2.best l2 best_of_all l2 best 0
   for layout in li1 li2; do

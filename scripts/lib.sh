@@ -126,6 +126,20 @@ made() {
   report "$name" "$started" ''
 }
 
+# The gear whose interval the paper calls best, as "k_s b c_lo c_hi", c_lo to c_hi being
+# that interval of c_d.  For LI2 it gives b only: k_s is just below the onset of the
+# delta region, where the interval is widest.
+paper_gear() { # LAYOUT
+  local k_s b
+  case $1 in
+    l1) k_s=1e30 b=0 ;;
+    l2) k_s=7.86e5 b=0 ;;
+    li1) k_s=6.38e5 b=140 ;;
+    li2) k_s=2.48e6 b=140 ;;
+  esac
+  "build/bin/scan-$1" intervals k_s=$k_s b=$b | awk -F, -v k_s=$k_s -v b=$b 'NR == 2 { print k_s, b, $1, $2 }'
+}
+
 # run NAME CONSTANTS [from=RUN] [model=MODEL] [gear=FILE] [KEY=VALUE ...] -- [TYPE=COUNT ...]
 #   CONSTANTS   constants/c.CONSTANTS, else the one in build/constants, or a file's
 #               path; its name begins with the layout (l1.straight runs
