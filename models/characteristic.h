@@ -18,36 +18,12 @@
 
 #include <string.h>
 
+#include "linearised.h"
+
 #define MLG_V_TOP 200. /* top of the operating range, m/s */
 
 /* F(s; V, c_d) = f[0][0] + f[1][0] V + f[0][1] c_d + f[1][1] V c_d */
 struct characteristic { struct poly f[2][2]; };
-
-/* The entries of the matrix above, without the device. */
-struct gear_matrix { struct poly A11, A12, A22, Ls, p, tyre; double D1, D2; };
-
-static inline struct gear_matrix gear_matrix(const double par[], double V)
-{
-  const double a = par[PAR_A], l = par[PAR_L], h = par[PAR_H], g = par[PAR_G];
-  const double m_D = par[PAR_M_D], l_D = par[PAR_L_D], R = par[PAR_R];
-  const double k_alpha = par[PAR_K_ALPHA], k_lambda = par[PAR_K_LAMBDA];
-  const double s = sin(par[PAR_PHI]), c = cos(par[PAR_PHI]);
-  const double F_z = (par[PAR_M] + m_D) * g, e_t = par[PAR_E] + R * s;
-  const double L = par[PAR_L_DELTA] + R * c;
-  const double m = a * a * m_D / 4., kappa = a * a * par[PAR_K_T] / 2.;
-
-  return (struct gear_matrix){
-    .A11 = { { par[PAR_K_DELTA] - F_z * L * c + kappa * c * c + m_D * g * l_D * c,
-               par[PAR_C_DELTA], par[PAR_J_XI] + m_D * l_D * l_D + m * c * c } },
-    .A12 = { { -F_z * e_t * c + kappa * c * s, 0., m * c * s } },
-    .A22 = { { -F_z * e_t * s + kappa * s * s, par[PAR_C_PSI], par[PAR_J_ZETA] + m * s * s } },
-    .Ls = { { 0., L } },
-    .p = { { V * c, e_t - h * c } },
-    .tyre = { { V / l, 1. } },
-    .D1 = F_z * (7. * k_lambda * L - k_alpha * s) / l,
-    .D2 = F_z * (7. * k_lambda * e_t + k_alpha * c) / l,
-  };
-}
 
 /* Determinants of the gear without device: whole, and the minor that Z multiplies. */
 static inline void gear_determinants(const double par[], double V, struct poly *whole,
@@ -148,13 +124,6 @@ static inline struct hopf_pair hopf_pair(const struct characteristic *f, double 
   return p;
 }
 
-/* Where an oscillation of damping ratio zeta lives: s = omega ray, so that
- * ds/domega = ray; zeta = 0 is the Hopf curve. */
-static inline double _Complex mlg_ray(double zeta)
-{
-  return -zeta + sqrt(1. - zeta * zeta) * I;
-}
-
 /* Im(conj(F_s ray) F_x) vanishes where F_s ray domega + F_x dx = 0 with real
  * domega and dx: where all else has an extremum along the curve F = 0.  For
  * x = V that is a boundary point, an extremum of c_d; for x = c_d one of V. */
@@ -182,16 +151,6 @@ static inline double curvature(const struct characteristic *f, double _Complex r
   const double dG = extremum_test(&right, ray, right.F_V) - extremum_test(&left, ray, left.F_V);
 
   return -dG / (2. * h * dV) / extremum_test(&j, ray, j.F_c);
-}
-
-/* |delta| / |psi| of the oscillation at s; above 1 it is delta-shimmy. */
-static inline double delta_over_psi(const double par[], double V, double _Complex s)
-{
-  const struct gear_matrix g = gear_matrix(par, V);
-  const double _Complex D1 = g.D1 / poly_value(&g.tyre, s);
-
-  return cabs(poly_value(&g.A12, s) + D1 * poly_value(&g.p, s))
-         / cabs(poly_value(&g.A11, s) + D1 * poly_value(&g.Ls, s));
 }
 
 #endif

@@ -1,6 +1,6 @@
 /* libmlg.c - the library of libmlg.h over all layouts
  *
- * The layouts come from libmlg_layout.c; the Makefile names them in layouts.h,
+ * The layouts come from layout.c; the Makefile names them in layouts.h,
  * L(l1) L(l2) ...
  */
 #include <math.h>
@@ -9,7 +9,7 @@
 #pragma GCC visibility push(default)
 #include "libmlg.h"
 #pragma GCC visibility pop
-#include "libmlg_layout.h"
+#include "layout.h"
 #include "mlg.h"
 
 #define L(name) extern const struct libmlg_layout libmlg_layout_##name;
@@ -36,7 +36,7 @@ enum { LAYOUT_COUNT = sizeof layouts / sizeof *layouts, PARAMETERS = sizeof para
 
 _Static_assert((int)PARAMETERS <= (int)LIBMLG_MOST_PARAMETERS, "libmlg.h promises enough");
 
-static const struct libmlg_layout *find(int layout)
+const struct libmlg_layout *libmlg_find(int layout)
 {
   return layout >= 0 && layout < LAYOUT_COUNT ? layouts[layout] : NULL;
 }
@@ -56,14 +56,14 @@ int libmlg_layout(const char *name)
 
 const char *libmlg_layout_name(int layout)
 {
-  const struct libmlg_layout *l = find(layout);
+  const struct libmlg_layout *l = libmlg_find(layout);
 
   return l ? l->name : NULL;
 }
 
 int libmlg_states(int layout)
 {
-  const struct libmlg_layout *l = find(layout);
+  const struct libmlg_layout *l = libmlg_find(layout);
 
   return l ? l->states : LIBMLG_NONE;
 }
@@ -133,8 +133,7 @@ int libmlg_outside(const double par[])
   return LIBMLG_NONE;
 }
 
-/* The slots of AUTO, from par[libmlg_parameters()]. */
-static void into_slots(const double par[], double slots[36])
+void libmlg_into_slots(const double par[], double slots[LIBMLG_SLOTS])
 {
   for (int i = 0; i < PARAMETERS; i++)
     slots[parameters[i].index] = par[i];
@@ -142,24 +141,24 @@ static void into_slots(const double par[], double slots[36])
 
 int libmlg_rhs(int layout, const double par[], const double u[], double f[])
 {
-  const struct libmlg_layout *l = find(layout);
-  double slots[36];
+  const struct libmlg_layout *l = libmlg_find(layout);
+  double slots[LIBMLG_SLOTS];
 
   if (!l)
     return LIBMLG_NONE;
-  into_slots(par, slots);
+  libmlg_into_slots(par, slots);
   l->rhs(slots, u, f);
   return 0;
 }
 
 int libmlg_jacobian(int layout, const double par[], const double u[], double dfdu[], double dfdp[])
 {
-  const struct libmlg_layout *l = find(layout);
-  double slots[36], f[LIBMLG_MOST_STATES], all[36 * LIBMLG_MOST_STATES];
+  const struct libmlg_layout *l = libmlg_find(layout);
+  double slots[LIBMLG_SLOTS], f[LIBMLG_MOST_STATES], all[36 * LIBMLG_MOST_STATES];
 
   if (!l)
     return LIBMLG_NONE;
-  into_slots(par, slots);
+  libmlg_into_slots(par, slots);
   l->rhs(slots, u, f);
   l->jacobian(slots, u, f, dfdu, dfdp ? all : NULL);
   for (int k = 0; dfdp && k < PARAMETERS; k++)

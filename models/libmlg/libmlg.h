@@ -78,6 +78,72 @@ int libmlg_rhs(int layout, const double par[], const double u[], double f[]);
  * to 1e-10; 0 for b = 0 and for a rigid k_s.  Returns as libmlg_rhs. */
 int libmlg_jacobian(int layout, const double par[], const double u[], double dfdu[], double dfdp[]);
 
+/* --- straight rolling: where it is stable ---------------------------------------------
+ *
+ * par[] as above; its V and c_d do not matter where they are asked for.  A result is
+ * complete, for every frequency and every c_d > 0, and polished to rounding (about 1e-12
+ * relative where the problem allows): it comes from one eigenvalue problem, not from
+ * samples (docs/boundary.md).
+ *   zeta      damping ratio asked for, -1 < zeta < 1; 0: stability.  A complex eigenvalue
+ *             s has the ratio -Re(s)/|s|; a positive real one is a divergence, below
+ *             every ratio.
+ *   V_least, V_top   the speeds that are looked at, m/s, V_least < V < V_top; V_least
+ *             may be 0, which is a limit: the tyre is neutral there.
+ * Functions that return a number of points return LIBMLG_NONE for no such layout, and
+ * LIBMLG_UNSURE when LAPACK failed or what was found contradicts itself. */
+
+enum { LIBMLG_UNSURE = -2, LIBMLG_MOST_POINTS = 128 };
+
+/* What bounds a region of shimmy in the (V, c_d) plane at a point. */
+enum libmlg_kind {
+  LIBMLG_LEAST,   /* c_d is least along the Hopf curve */
+  LIBMLG_LARGEST, /* c_d is largest along it */
+  LIBMLG_BOTTOM,  /* the curve leaves the range at V_least; V_least = 0: as V goes to 0 */
+  LIBMLG_TOP,     /* it leaves it at V_top */
+  LIBMLG_HOPF,    /* an ordinary point of a curve */
+  LIBMLG_ENDS     /* c_d of 0 or infinity, as the bound of an interval */
+};
+
+/* A Hopf point, or a point of the damping ratio zeta. */
+struct libmlg_point {
+  double c_d;            /* N m s/rad */
+  double V;              /* m/s */
+  double omega;          /* |s|, rad/s */
+  double delta_over_psi; /* amplitudes, rad/rad; above 1 it is delta-shimmy */
+  enum libmlg_kind kind;
+};
+
+/* c_d from lo to hi, N m s/rad, without shimmy for all V in the range; what ends it.
+ * lo may be 0 and hi INFINITY (kind LIBMLG_ENDS). */
+struct libmlg_interval { struct libmlg_point lo, hi; };
+
+/* All Hopf points at the c_d of par[] and V_least < V < V_top, by rising V, the first
+ * `most` of them into point[]. */
+int libmlg_hopf_at_c_d(int layout, const double par[], double zeta, double V_least, double V_top,
+                       struct libmlg_point point[], int most);
+
+/* All Hopf points at the V of par[] and c_d > 0, by rising c_d. */
+int libmlg_hopf_at_V(int layout, const double par[], double zeta, struct libmlg_point point[], int most);
+
+/* All boundary points, by rising c_d: the extrema of c_d along the Hopf curves and the
+ * points where these leave the range of V. */
+int libmlg_boundary_points(int layout, const double par[], double zeta, double V_least, double V_top,
+                           struct libmlg_point point[], int most);
+
+/* All intervals of c_d, by rising c_d, in which straight rolling is stable (has at least
+ * the ratio zeta) at every V_least < V < V_top.  None for a gear that diverges. */
+int libmlg_intervals(int layout, const double par[], double zeta, double V_least, double V_top,
+                     struct libmlg_interval interval[], int most);
+
+/* Stability at the V and c_d of par[]: the least damping ratio of all eigenvalues, -1
+ * with a positive real one; the tyres' difference, which decays at V/l, counts 1.
+ * NaN: LAPACK failed, or no such layout. */
+double libmlg_damping_ratio(int layout, const double par[]);
+
+/* Whether the gear diverges, a real root growing, at every V and c_d: 1 or 0; the sign of
+ * F(0) decides, which hangs on neither. */
+int libmlg_diverges(int layout, const double par[]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,0 +1,224 @@
+/* boundary_points.c - Hopf points, boundary points and intervals of libmlg.h
+ *
+ * Between neighbouring values of c_d among all boundary points nothing changes: the
+ * Hopf curves neither turn nor leave the range of V.  So one look inside each decides
+ * it, and the number of crossings there must fit to what lies between: each extremum
+ * adds or takes two, each edge one.  Where it does not fit a point was missed, and that
+ * is said instead of an answer.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "crossing.h"
+#include "mlg.h"
+#include "linearised.h"
+
+enum { MOST = LIBMLG_MOST_POINTS };
+
+/* A boundary point with what it does to the number of crossings as c rises. */
+struct event { struct crossing_at at; enum libmlg_kind kind; int jump; };
+
+struct events { struct event event[MOST]; int n; };
+
+static int by_c(const void *a, const void *b)
+{
+  const double x = ((const struct event *)a)->at.c, y = ((const struct event *)b)->at.c;
+
+  return (x > y) - (x < y);
+}
+
+static void add_edges(struct events *e, const struct crossing *x, double V, enum libmlg_kind kind)
+{
+  struct crossing_at at[CROSSING_TERMS];
+  const int n = crossings_at_V(x, V, at);
+
+  for (int i = 0; i < n && e->n < MOST; i++) {
+    const double slope = crossing_slope(x, &at[i]); /* dV/dc: into the range or out of it */
+
+    e->event[e->n++] = (struct event){ at[i], kind, (slope > 0.) == (kind == LIBMLG_BOTTOM) ? 1 : -1 };
+  }
+}
+
+/* A c between event i and the next; -1 is below the first. */
+static double between(const struct events *e, int i)
+{
+  if (e->n == 0)
+    return 1.;
+  if (i < 0)
+    return 0.5 * e->event[0].at.c;
+  if (i + 1 == e->n)
+    return 2. * e->event[i].at.c;
+  return sqrt(e->event[i].at.c * e->event[i + 1].at.c);
+}
+
+/* All events by rising c, and crossing[i + 1], the number of crossings above event i.
+ * 0, or LIBMLG_UNSURE. */
+static int find_events(const struct crossing *x, double V_least, double V_top, struct events *e, int crossing[MOST + 1])
+{
+  struct crossing_at at[MOST];
+  const int extrema = crossing_extrema(x, V_least, V_top, at, MOST - 2 * CROSSING_TERMS);
+
+  e->n = 0;
+  if (extrema < 0)
+    return LIBMLG_UNSURE;
+  for (int i = 0; i < extrema; i++) {
+    const int least = crossing_curvature(x, &at[i]) > 0.;
+
+    e->event[e->n++] = (struct event){ at[i], least ? LIBMLG_LEAST : LIBMLG_LARGEST, least ? 2 : -2 };
+  }
+  add_edges(e, x, V_least, LIBMLG_BOTTOM);
+  add_edges(e, x, V_top, LIBMLG_TOP);
+  qsort(e->event, (size_t)e->n, sizeof *e->event, by_c);
+  for (int i = -1; i < e->n; i++) {
+    struct crossing_at there[CROSSING_TERMS];
+
+    crossing[i + 1] = crossings_at_c(x, between(e, i), V_least, V_top, there);
+    if (i >= 0 && crossing[i + 1] - crossing[i] != e->event[i].jump)
+      return LIBMLG_UNSURE;
+  }
+  return 0;
+}
+
+/* Least damping ratio of F's roots; -1 with a positive real one. */
+static double ratio_of(const struct crossing *x, double V, double c)
+{
+  double re[CROSSING_TERMS], im[CROSSING_TERMS], least = 1.;
+  const int n = crossing_roots(x, V, c, re, im);
+
+  for (int i = 0; i < n; i++) {
+    const double size = hypot(re[i], im[i]);
+
+    if (size > 0.)
+      least = fmin(least, fabs(im[i]) > 0. || re[i] < 0. ? -re[i] / size : -1.);
+  }
+  return n < 0 ? NAN : least;
+}
+
+/* What a call works on. */
+struct problem { const struct libmlg_layout *layout; double par[LIBMLG_SLOTS]; struct crossing x; };
+
+static int problem(struct problem *p, int layout, const double par[], double zeta)
+{
+  p->layout = libmlg_find(layout);
+  if (!p->layout)
+    return LIBMLG_NONE;
+  libmlg_into_slots(par, p->par);
+  p->x = crossing_of(p->layout, p->par, zeta);
+  return 0;
+}
+
+static struct libmlg_point point_of(const struct problem *p, const struct crossing_at *at, enum libmlg_kind kind)
+{
+  const double V = at->V * p->x.V_unit, omega = crossing_omega(&p->x, at->t);
+
+  return (struct libmlg_point){ at->c * p->x.c_unit, V, omega,
+                                delta_over_psi(p->par, V, omega * mlg_ray(p->x.zeta)), kind };
+}
+
+static int by_V(const void *a, const void *b)
+{
+  const double x = ((const struct crossing_at *)a)->V, y = ((const struct crossing_at *)b)->V;
+
+  return (x > y) - (x < y);
+}
+
+static int by_c_d(const void *a, const void *b)
+{
+  const double x = ((const struct crossing_at *)a)->c, y = ((const struct crossing_at *)b)->c;
+
+  return (x > y) - (x < y);
+}
+
+static int hand_over(const struct problem *p, struct crossing_at at[], int n, struct libmlg_point point[], int most,
+                     int order(const void *, const void *))
+{
+  qsort(at, (size_t)n, sizeof *at, order);
+  for (int i = 0; i < n && i < most; i++)
+    point[i] = point_of(p, &at[i], LIBMLG_HOPF);
+  return n;
+}
+
+int libmlg_hopf_at_c_d(int layout, const double par[], double zeta, double V_least, double V_top,
+                       struct libmlg_point point[], int most)
+{
+  struct problem p;
+  struct crossing_at at[CROSSING_TERMS];
+
+  if (problem(&p, layout, par, zeta) != 0)
+    return LIBMLG_NONE;
+  return hand_over(&p, at, crossings_at_c(&p.x, p.par[PAR_C_D] / p.x.c_unit, V_least / p.x.V_unit, V_top / p.x.V_unit, at),
+                   point, most, by_V);
+}
+
+int libmlg_hopf_at_V(int layout, const double par[], double zeta, struct libmlg_point point[], int most)
+{
+  struct problem p;
+  struct crossing_at at[CROSSING_TERMS];
+
+  if (problem(&p, layout, par, zeta) != 0)
+    return LIBMLG_NONE;
+  return hand_over(&p, at, crossings_at_V(&p.x, p.par[PAR_V] / p.x.V_unit, at), point, most, by_c_d);
+}
+
+int libmlg_boundary_points(int layout, const double par[], double zeta, double V_least, double V_top,
+                           struct libmlg_point point[], int most)
+{
+  struct problem p;
+  struct events e;
+  int crossing[MOST + 1];
+
+  if (problem(&p, layout, par, zeta) != 0)
+    return LIBMLG_NONE;
+  if (find_events(&p.x, V_least / p.x.V_unit, V_top / p.x.V_unit, &e, crossing) != 0)
+    return LIBMLG_UNSURE;
+  for (int i = 0; i < e.n && i < most; i++)
+    point[i] = point_of(&p, &e.event[i].at, e.event[i].kind);
+  return e.n;
+}
+
+int libmlg_intervals(int layout, const double par[], double zeta, double V_least, double V_top,
+                     struct libmlg_interval interval[], int most)
+{
+  const struct libmlg_point zero = { .c_d = 0., .kind = LIBMLG_ENDS }, infinite = { .c_d = INFINITY, .kind = LIBMLG_ENDS };
+  struct problem p;
+  struct events e;
+  int crossing[MOST + 1], n = 0;
+
+  if (problem(&p, layout, par, zeta) != 0)
+    return LIBMLG_NONE;
+  V_least /= p.x.V_unit;
+  V_top /= p.x.V_unit;
+  if (find_events(&p.x, V_least, V_top, &e, crossing) != 0)
+    return LIBMLG_UNSURE;
+  for (int i = -1; i < e.n; i++)
+    if (crossing[i + 1] == 0 && ratio_of(&p.x, 0.5 * (V_least + V_top), between(&e, i)) > zeta) {
+      if (n < most)
+        interval[n] = (struct libmlg_interval){
+          i < 0 ? zero : point_of(&p, &e.event[i].at, e.event[i].kind),
+          i + 1 == e.n ? infinite : point_of(&p, &e.event[i + 1].at, e.event[i + 1].kind),
+        };
+      n++;
+    }
+  return n;
+}
+
+double libmlg_damping_ratio(int layout, const double par[])
+{
+  struct problem p;
+
+  if (problem(&p, layout, par, 0.) != 0)
+    return NAN;
+  return ratio_of(&p.x, p.par[PAR_V] / p.x.V_unit, p.par[PAR_C_D] / p.x.c_unit);
+}
+
+int libmlg_diverges(int layout, const double par[])
+{
+  struct problem p;
+
+  if (problem(&p, layout, par, 0.) != 0)
+    return LIBMLG_NONE;
+  for (int k = 0; k < 2; k++) /* the sign of F(0)/V beside that of the leading term */
+    if (p.x.F[1][0][0] * p.x.F[0][k][p.x.order] < 0.)
+      return 1;
+  return 0;
+}

@@ -1,0 +1,506 @@
+/* crossing.c - see crossing.h */
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "crossing.h"
+#include "mlg.h"
+#include "linearised.h"
+
+enum { T = CROSSING_TERMS, MOST_SIZE = 4 * T, NEWTON_STEPS = 30 };
+
+/* --- F ----------------------------------------------------------------------------- */
+
+/* Determinants of the gear without its device, whole and the minor that Z multiplies,
+ * as [0] + [1] V: taken apart, not differenced, for V may have any size. */
+static void determinants(const double par[], struct poly whole[2], struct poly minor[2])
+{
+  const struct gear_matrix g = gear_matrix(par, 0.), at_1 = gear_matrix(par, 1.);
+  const struct poly tyre[2] = { g.tyre, { { at_1.tyre.coefficient[0] } } };
+  const struct poly p[2] = { g.p, { { at_1.p.coefficient[0] } } };
+
+  for (int v = 0; v < 2; v++) {
+    const struct poly Ls = v ? (struct poly){ { 0. } } : g.Ls;
+    const struct poly psi = poly_sum(poly_product(g.A22, tyre[v]), poly_scaled(p[v], g.D2));
+    const struct poly cross = poly_sum(poly_product(g.A12, tyre[v]), poly_scaled(Ls, g.D2));
+    const struct poly delta = poly_sum(poly_product(g.A22, Ls), poly_scaled(poly_product(g.A12, p[v]), -1.));
+
+    whole[v] = poly_sum(poly_sum(poly_product(g.A11, psi), poly_scaled(poly_product(g.A12, cross), -1.)),
+                        poly_scaled(delta, g.D1));
+    minor[v] = poly_sum(poly_product(g.A11, tyre[v]), poly_scaled(Ls, g.D1));
+  }
+}
+
+/* The device as [0] + [1] c/c_unit.  A rigid spring has no compliance at all. */
+static void device(const struct libmlg_layout *layout, const double par[], double c_unit, struct network Z[2])
+{
+  double p[LIBMLG_SLOTS];
+
+  memcpy(p, par, sizeof p);
+  if (p[PAR_K_S] >= MLG_RIGID)
+    p[PAR_K_S] = INFINITY;
+  p[PAR_C_D] = 0.;
+  Z[0] = layout->network(p);
+  p[PAR_C_D] = c_unit;
+  Z[1] = layout->network(p);
+  Z[1].num = poly_sum(Z[1].num, poly_scaled(Z[0].num, -1.));
+  Z[1].den = poly_sum(Z[1].den, poly_scaled(Z[0].den, -1.));
+}
+
+static int degree_of(const double p[T])
+{
+  int n = T - 1;
+
+  while (n > 0 && p[n] == 0.)
+    n--;
+  return n;
+}
+
+/* p * q, added to r; what would lie beyond T terms is 0 for any layout. */
+static void add_product(double r[T], double sign, const double p[T], const double q[T])
+{
+  const int n = degree_of(p), m = degree_of(q);
+
+  for (int i = 0; i <= n; i++)
+    for (int j = 0; j <= m && i + j < T; j++)
+      r[i + j] += sign * p[i] * q[j];
+}
+
+/* a + i q b on the ray from F. */
+static void split(struct crossing *x)
+{
+  const double root = sqrt(1. - x->zeta * x->zeta);
+
+  memset(x->a, 0, sizeof x->a);
+  memset(x->b, 0, sizeof x->b);
+  for (int v = 0; v < 2; v++)
+    for (int k = 0; k < 2; k++) {
+      double re = 1., im = 0.; /* ray^i */
+
+      for (int i = 0; i <= x->order; i++) {
+        const double next = -x->zeta * re - root * im;
+
+        if (x->squared)
+          (i % 2 ? x->b : x->a)[v][k][i / 2] = x->F[v][k][i] * (i / 2 % 2 ? -1. : 1.);
+        else {
+          x->a[v][k][i] = x->F[v][k][i] * re;
+          if (i > 0)
+            x->b[v][k][i - 1] = x->F[v][k][i] * im;
+        }
+        im = root * re - x->zeta * im;
+        re = next;
+      }
+    }
+}
+
+/* G = A c^2 + B c + C. */
+static void quadratic(const struct crossing *x, double A[T], double B[T], double C[T])
+{
+  memset(A, 0, T * sizeof *A);
+  memset(B, 0, T * sizeof *B);
+  memset(C, 0, T * sizeof *C);
+  add_product(A, 1., x->a[0][1], x->b[1][1]);
+  add_product(A, -1., x->a[1][1], x->b[0][1]);
+  add_product(B, 1., x->a[0][0], x->b[1][1]);
+  add_product(B, 1., x->a[0][1], x->b[1][0]);
+  add_product(B, -1., x->a[1][0], x->b[0][1]);
+  add_product(B, -1., x->a[1][1], x->b[0][0]);
+  add_product(C, 1., x->a[0][0], x->b[1][0]);
+  add_product(C, -1., x->a[1][0], x->b[0][0]);
+}
+
+struct crossing crossing_of(const struct libmlg_layout *layout, const double par[], double zeta)
+{
+  const struct gear_matrix g = gear_matrix(par, 0.);
+  struct crossing x = { .zeta = zeta, .squared = zeta == 0. };
+  struct poly whole[2], minor[2];
+  struct network Z[2];
+  double A[T], B[T], C[T], largest = 0.;
+
+  /* between the frequencies of the two modes; of l and k_d, k_psi */
+  x.omega_unit = pow(fabs(par[PAR_K_DELTA] / g.A11.coefficient[2] * par[PAR_K_PSI] / g.A22.coefficient[2]), 0.25);
+  x.V_unit = x.omega_unit * par[PAR_L];
+  x.c_unit = sqrt(par[PAR_K_D] * par[PAR_K_PSI]) / x.omega_unit;
+  determinants(par, whole, minor);
+  device(layout, par, x.c_unit, Z);
+  for (int v = 0; v < 2; v++)
+    for (int k = 0; k < 2; k++) {
+      const struct poly f = poly_sum(poly_product(Z[k].den, whole[v]), poly_product(Z[k].num, minor[v]));
+      double unit = v ? x.V_unit : 1.;
+
+      for (int i = 0; i < POLY_TERMS; i++, unit *= x.omega_unit) {
+        x.F[v][k][i] = f.coefficient[i] * unit;
+        largest = fmax(largest, fabs(x.F[v][k][i]));
+      }
+    }
+  for (int v = 0; v < 2; v++)
+    for (int k = 0; k < 2; k++) {
+      for (int i = 0; i < POLY_TERMS; i++)
+        x.F[v][k][i] /= largest;
+      if (degree_of(x.F[v][k]) > x.order)
+        x.order = degree_of(x.F[v][k]);
+    }
+  split(&x);
+  quadratic(&x, A, B, C);
+  x.degree = degree_of(A);
+  if (degree_of(B) > x.degree)
+    x.degree = degree_of(B);
+  if (degree_of(C) > x.degree)
+    x.degree = degree_of(C);
+  return x;
+}
+
+double crossing_omega(const struct crossing *x, double t)
+{
+  return x->omega_unit * (x->squared ? sqrt(t) : t);
+}
+
+/* --- values --------------------------------------------------------------------------- */
+
+/* p, p', p'' at t. */
+struct value { double p, d, dd; };
+
+static struct value value(const double p[T], int n, double t)
+{
+  struct value v = { 0., 0., 0. };
+
+  for (int i = n; i >= 0; i--) {
+    v.dd = v.dd * t + 2. * v.d;
+    v.d = v.d * t + v.p;
+    v.p = v.p * t + p[i];
+  }
+  return v;
+}
+
+/* alpha = a00 + a01 c and so on, with their derivatives by t; slope: the part by c. */
+struct parts { struct value alpha, gamma, beta, eta, alpha_c, gamma_c, beta_c, eta_c; };
+
+static struct value sum(struct value p, struct value q, double c)
+{
+  return (struct value){ p.p + q.p * c, p.d + q.d * c, p.dd + q.dd * c };
+}
+
+static struct parts parts(const struct crossing *x, double t, double c)
+{
+  const int n = x->squared ? x->order / 2 : x->order;
+  struct parts f = {
+    .alpha_c = value(x->a[0][1], n, t), .gamma_c = value(x->a[1][1], n, t),
+    .beta_c = value(x->b[0][1], n, t), .eta_c = value(x->b[1][1], n, t),
+  };
+
+  f.alpha = sum(value(x->a[0][0], n, t), f.alpha_c, c);
+  f.gamma = sum(value(x->a[1][0], n, t), f.gamma_c, c);
+  f.beta = sum(value(x->b[0][0], n, t), f.beta_c, c);
+  f.eta = sum(value(x->b[1][0], n, t), f.eta_c, c);
+  return f;
+}
+
+/* G = alpha eta - gamma beta and its derivatives, each from its factors: the expanded
+ * coefficients have lost digits.  size: of the terms of G. */
+struct jet_of_G { double G, t, c, tt, tc, size, size_t_; };
+
+static struct jet_of_G jet_of_G(const struct parts *f)
+{
+  return (struct jet_of_G){
+    .G = f->alpha.p * f->eta.p - f->gamma.p * f->beta.p,
+    .t = f->alpha.d * f->eta.p + f->alpha.p * f->eta.d - f->gamma.d * f->beta.p - f->gamma.p * f->beta.d,
+    .c = f->alpha_c.p * f->eta.p + f->alpha.p * f->eta_c.p - f->gamma_c.p * f->beta.p - f->gamma.p * f->beta_c.p,
+    .tt = f->alpha.dd * f->eta.p + 2. * f->alpha.d * f->eta.d + f->alpha.p * f->eta.dd
+          - f->gamma.dd * f->beta.p - 2. * f->gamma.d * f->beta.d - f->gamma.p * f->beta.dd,
+    .tc = f->alpha_c.d * f->eta.p + f->alpha.d * f->eta_c.p + f->alpha_c.p * f->eta.d + f->alpha.p * f->eta_c.d
+          - f->gamma_c.d * f->beta.p - f->gamma.d * f->beta_c.p - f->gamma_c.p * f->beta.d - f->gamma.p * f->beta_c.d,
+    .size = fabs(f->alpha.p * f->eta.p) + fabs(f->gamma.p * f->beta.p),
+    .size_t_ = fabs(f->alpha.d * f->eta.p) + fabs(f->alpha.p * f->eta.d) + fabs(f->gamma.d * f->beta.p)
+               + fabs(f->gamma.p * f->beta.d),
+  };
+}
+
+/* V from whichever of the two parts of F divides by the larger. */
+static double speed(const struct parts *f)
+{
+  return fabs(f->gamma.p) > fabs(f->eta.p) ? -f->alpha.p / f->gamma.p : -f->beta.p / f->eta.p;
+}
+
+double crossing_curvature(const struct crossing *x, const struct crossing_at *p)
+{
+  const struct parts f = parts(x, p->t, p->c);
+  const struct jet_of_G j = jet_of_G(&f);
+
+  return -j.tt / j.c;
+}
+
+double crossing_slope(const struct crossing *x, const struct crossing_at *p)
+{
+  const struct parts f = parts(x, p->t, p->c);
+  /* a = alpha + gamma V = 0 and b = beta + eta V = 0, differentiated by t and c */
+  const double a_t = f.alpha.d + f.gamma.d * p->V, b_t = f.beta.d + f.eta.d * p->V;
+  const double a_c = f.alpha_c.p + f.gamma_c.p * p->V, b_c = f.beta_c.p + f.eta_c.p * p->V;
+
+  return -(a_c * b_t - b_c * a_t) / (f.gamma.p * b_t - f.eta.p * a_t);
+}
+
+/* --- roots of one polynomial -------------------------------------------------------------- */
+
+/* (1 + mu)^k (1 - mu)^(m - k): t = (1 + mu)/(1 - mu) takes 0 < t < infinity to -1 < mu < 1,
+ * so that no root is at infinity and none is favoured. */
+static void moebius(const double p[], int m, double out[])
+{
+  double up[T + 1] = { 1. }; /* (1 + mu)^k, then times (1 - mu)^(m - k) */
+
+  memset(out, 0, (size_t)(m + 1) * sizeof *out);
+  for (int k = 0; k <= m; k++) {
+    double term[T + 1] = { 0. };
+
+    memcpy(term, up, (size_t)(k + 1) * sizeof *term);
+    for (int j = 0; j < m - k; j++)
+      for (int i = k + j + 1; i > 0; i--)
+        term[i] -= term[i - 1];
+    for (int i = 0; i <= m; i++)
+      out[i] += p[k] * term[i];
+    for (int i = k + 1; i > 0; i--)
+      up[i] += up[i - 1];
+  }
+}
+
+/* Eigenvalues of the companion matrix of p[0..n], p[n] != 0; LAPACK's return value. */
+static int companion_roots(const double p[], int n, double re[], double im[])
+{
+  double H[T * T] = { 0. };
+
+  for (int i = 0; i < n; i++) {
+    if (i > 0)
+      H[(i - 1) * n + i] = 1.; /* column by column: below the diagonal */
+    H[(n - 1) * n + i] = -p[i] / p[n];
+  }
+  {
+    double scale[T], work[8 * T];
+    lapack_int lo, hi;
+
+    LAPACKE_dgebal_work(LAPACK_COL_MAJOR, 'S', n, H, n, &lo, &hi, scale);
+    return LAPACKE_dhseqr_work(LAPACK_COL_MAJOR, 'E', 'N', n, lo, hi, H, n, re, im, NULL, 1, work, 8 * T);
+  }
+}
+
+/* Whether a root mu is real; two that lie within rounding of each other may come out as
+ * a complex pair. */
+static int is_real(double re, double im)
+{
+  return fabs(im) <= 1e-9 * (1. + fabs(re));
+}
+
+/* The roots t > 0 of p[0..n], refined; returns their number. */
+static int positive_roots(const double p[], int n, double t[])
+{
+  double q[T + 1], re[T], im[T];
+  int roots = 0, m = n;
+
+  while (m > 0 && p[m] == 0.)
+    m--;
+  if (m == 0)
+    return 0;
+  moebius(p, m, q);
+  while (m > 0 && q[m] == 0.) /* a root at t = -1 */
+    m--;
+  if (m == 0 || companion_roots(q, m, re, im) != 0)
+    return 0;
+  for (int i = 0; i < m; i++)
+    if (is_real(re[i], im[i]) && fabs(re[i]) < 1.) {
+      double at = (1. + re[i]) / (1. - re[i]);
+
+      for (int step = 0; step < 4; step++) {
+        const struct value v = value(p, n, at);
+        const double next = at - v.p / v.d;
+
+        if (!(fabs(next - at) < 1e-3 * at))
+          break;
+        at = next;
+      }
+      t[roots++] = at;
+    }
+  return roots;
+}
+
+int crossings_at_c(const struct crossing *x, double c, double V_least, double V_top, struct crossing_at out[])
+{
+  double A[T], B[T], C[T], t[T];
+  int n = 0, roots;
+
+  quadratic(x, A, B, C);
+  for (int i = 0; i < T; i++)
+    C[i] += c * (B[i] + c * A[i]);
+  roots = positive_roots(C, x->degree, t);
+  for (int i = 0; i < roots; i++) {
+    struct parts f = parts(x, t[i], c);
+
+    for (int step = 0; step < 3; step++) { /* from the factors of G */
+      const struct jet_of_G j = jet_of_G(&f);
+
+      if (!(fabs(j.G / j.t) < 1e-3 * t[i]))
+        break;
+      t[i] -= j.G / j.t;
+      f = parts(x, t[i], c);
+    }
+    out[n] = (struct crossing_at){ t[i], speed(&f), c };
+    if (out[n].V > V_least && out[n].V < V_top)
+      n++;
+  }
+  return n;
+}
+
+int crossings_at_V(const struct crossing *x, double V, struct crossing_at out[])
+{
+  double a0[T], a1[T], b0[T], b1[T], H[T] = { 0. }, t[T];
+  int n = 0, roots;
+
+  for (int i = 0; i < T; i++) {
+    a0[i] = x->a[0][0][i] + V * x->a[1][0][i];
+    a1[i] = x->a[0][1][i] + V * x->a[1][1][i];
+    b0[i] = x->b[0][0][i] + V * x->b[1][0][i];
+    b1[i] = x->b[0][1][i] + V * x->b[1][1][i];
+  }
+  add_product(H, 1., a0, b1);
+  add_product(H, -1., a1, b0);
+  if (V == 0.) { /* F(0) is 0 at V = 0 for every c: no crossing */
+    memmove(H, H + 1, (T - 1) * sizeof *H);
+    H[T - 1] = 0.;
+  }
+  roots = positive_roots(H, T - 1, t);
+  for (int i = 0; i < roots; i++) {
+    const double alpha = value(a0, T - 1, t[i]).p, alpha_c = value(a1, T - 1, t[i]).p;
+    const double beta = value(b0, T - 1, t[i]).p, beta_c = value(b1, T - 1, t[i]).p;
+
+    out[n] = (struct crossing_at){ t[i], V, fabs(alpha_c) > fabs(beta_c) ? -alpha / alpha_c : -beta / beta_c };
+    if (out[n].c > 0. && isfinite(out[n].c))
+      n++;
+  }
+  return n;
+}
+
+int crossing_roots(const struct crossing *x, double V, double c, double re[], double im[])
+{
+  double p[T];
+  int n = x->order;
+
+  for (int i = 0; i <= n; i++)
+    p[i] = x->F[0][0][i] + V * x->F[1][0][i] + c * (x->F[0][1][i] + V * x->F[1][1][i]);
+  while (n > 0 && p[n] == 0.)
+    n--;
+  return n == 0 || companion_roots(p, n, re, im) != 0 ? -1 : n;
+}
+
+/* --- extrema ---------------------------------------------------------------------------- */
+
+/* Newton's method for G = G_t = 0; 1: converged to rounding. */
+static int refine(const struct crossing *x, struct crossing_at *p)
+{
+  const double from = p->t;
+  double last = INFINITY;
+
+  for (int i = 0; i < NEWTON_STEPS; i++) {
+    struct parts f = parts(x, p->t, p->c);
+    const struct jet_of_G j = jet_of_G(&f);
+    const double det = j.t * j.tc - j.c * j.tt;
+    const double dt = (j.G * j.tc - j.c * j.t) / det, dc = (j.t * j.t - j.G * j.tt) / det;
+    const double step = fabs(dt / p->t) + fabs(dc / p->c);
+
+    /* no better than before: rounding is reached, or this leads nowhere */
+    if (!(step < last) || step < 1e-15) {
+      p->V = speed(&f);
+      return (last < 1e-9 || step < 1e-15) && fabs(p->t / from - 1.) < 0.3;
+    }
+    last = i > 3 ? step : INFINITY;
+    p->t -= fabs(dt) < 0.2 * p->t ? dt : copysign(0.2 * p->t, dt);
+    p->c -= fabs(dc) < 0.5 * p->c ? dc : copysign(0.5 * p->c, dc);
+  }
+  return 0;
+}
+
+static int is_new(const struct crossing_at out[], int n, const struct crossing_at *p)
+{
+  for (int i = 0; i < n; i++)
+    if (fabs(out[i].t / p->t - 1.) < 1e-9 && fabs(out[i].c / p->c - 1.) < 1e-9)
+      return 0;
+  return 1;
+}
+
+/* Starts Newton's method from both roots c of G at t, real or nearly so. */
+static int add_extrema(const struct crossing *x, double t, double V_least, double V_top,
+                       struct crossing_at out[], int n, int most)
+{
+  const struct parts f0 = parts(x, t, 0.);
+  const double A = f0.alpha_c.p * f0.eta_c.p - f0.gamma_c.p * f0.beta_c.p;
+  const double B = f0.alpha.p * f0.eta_c.p + f0.alpha_c.p * f0.eta.p - f0.gamma.p * f0.beta_c.p - f0.gamma_c.p * f0.beta.p;
+  const double C = f0.alpha.p * f0.eta.p - f0.gamma.p * f0.beta.p;
+  const double D = B * B - 4. * A * C, q = -0.5 * (B + copysign(sqrt(fmax(D, 0.)), B));
+  const double root[2] = { q / A, C / q };
+
+  for (int k = 0; k < 2 && n < most; k++) {
+    struct crossing_at p = { .t = t, .c = D < 0. ? -0.5 * B / A : root[k] };
+
+    if (isfinite(p.c) && p.c > 0. && refine(x, &p) && p.c > 0. && p.V > V_least && p.V < V_top && is_new(out, n, &p))
+      out[n++] = p;
+  }
+  return n;
+}
+
+/* With G homogeneous of degree d in t and 1, G = G_t = 0 where G_t and d G - t G_t
+ * vanish, both of degree m = d - 1.  As quadratics in c they share a root where their
+ * Sylvester matrix is singular: eigenvalues mu of a matrix polynomial, whose leading
+ * coefficient after moebius() is the matrix at t = -1. */
+int crossing_extrema(const struct crossing *x, double V_least, double V_top, struct crossing_at out[], int most)
+{
+  const int d = x->degree, m = d - 1, size = 4 * m;
+  double G[3][T], S[2][3][T] = { { { 0. } } };  /* S[row][power of c falling][power of mu] */
+  double lead[16], rest[4 * MOST_SIZE], M[MOST_SIZE * MOST_SIZE];
+  double re[MOST_SIZE], im[MOST_SIZE], work[8 * MOST_SIZE];
+  lapack_int pivot[4];
+  int n = 0;
+
+  if (m < 1)
+    return 0;
+  quadratic(x, G[0], G[1], G[2]);
+  for (int k = 0; k < 3; k++) {
+    double P[T] = { 0. }, Q[T] = { 0. };
+
+    for (int i = 0; i <= m; i++) {
+      P[i] = (i + 1) * G[k][i + 1];
+      Q[i] = (d - i) * G[k][i];
+    }
+    moebius(P, m, S[0][k]);
+    moebius(Q, m, S[1][k]);
+  }
+  /* lead X = -rest, column by column */
+  memset(lead, 0, sizeof lead);
+  memset(rest, 0, sizeof rest);
+  for (int r = 0; r < 4; r++)
+    for (int k = 0; k < 3; k++) {
+      const int column = r % 2 + k;
+
+      lead[column * 4 + r] = S[r / 2][k][m];
+      for (int i = 0; i < m; i++)
+        rest[(i * 4 + column) * 4 + r] = -S[r / 2][k][i];
+    }
+  if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, 4, size, lead, 4, pivot, rest, 4) != 0)
+    return 0;
+  /* companion matrix: y, mu y, ..., mu^(m-1) y */
+  memset(M, 0, (size_t)(size * size) * sizeof *M);
+  for (int i = 0; i < size - 4; i++)
+    M[(i + 4) * size + i] = 1.;
+  for (int column = 0; column < size; column++)
+    for (int r = 0; r < 4; r++)
+      M[column * size + size - 4 + r] = rest[column * 4 + r];
+  if (LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'N', size, M, size, re, im, NULL, 1, NULL, 1, work, 8 * MOST_SIZE) != 0)
+    return 0;
+  for (int i = 0; i < size; i++) {
+    /* two that are nearly one may come out as a complex pair */
+    const double away = hypot(re[i], im[i]) < 1. ? im[i] : INFINITY;
+
+    if (fabs(away) < 0.02 * (1. - re[i] * re[i])) {
+      const double mu = re[i] + im[i]; /* of a pair one on each side */
+
+      if (fabs(mu) < 1.)
+        n = add_extrema(x, (1. + mu) / (1. - mu), V_least, V_top, out, n, most);
+    }
+  }
+  return n;
+}
