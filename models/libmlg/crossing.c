@@ -9,6 +9,11 @@
 
 enum { T = CROSSING_TERMS, MOST_SIZE = 4 * T, NEWTON_STEPS = 30 };
 
+/* What lies below or above these, in units of struct crossing, is 0 or infinite to
+ * rounding: frequencies beyond a million times the gear's own, and a damper of less
+ * than 1e-9 or more than 1e9 times the usual one. */
+static const double t_least = 1e-40, t_most = 1e12, c_least = 1e-9, c_most = 1e9;
+
 /* --- F ----------------------------------------------------------------------------- */
 
 /* Determinants of the gear without its device, whole and the minor that Z multiplies,
@@ -241,27 +246,6 @@ double crossing_slope(const struct crossing *x, const struct crossing_at *p)
 
 /* --- roots of one polynomial -------------------------------------------------------------- */
 
-/* (1 + mu)^k (1 - mu)^(m - k): t = (1 + mu)/(1 - mu) takes 0 < t < infinity to -1 < mu < 1,
- * so that no root is at infinity and none is favoured. */
-static void moebius(const double p[], int m, double out[])
-{
-  double up[T + 1] = { 1. }; /* (1 + mu)^k, then times (1 - mu)^(m - k) */
-
-  memset(out, 0, (size_t)(m + 1) * sizeof *out);
-  for (int k = 0; k <= m; k++) {
-    double term[T + 1] = { 0. };
-
-    memcpy(term, up, (size_t)(k + 1) * sizeof *term);
-    for (int j = 0; j < m - k; j++)
-      for (int i = k + j + 1; i > 0; i--)
-        term[i] -= term[i - 1];
-    for (int i = 0; i <= m; i++)
-      out[i] += p[k] * term[i];
-    for (int i = k + 1; i > 0; i--)
-      up[i] += up[i - 1];
-  }
-}
-
 /* Eigenvalues of the companion matrix of p[0..n], p[n] != 0; LAPACK's return value. */
 static int companion_roots(const double p[], int n, double re[], double im[])
 {
@@ -281,66 +265,96 @@ static int companion_roots(const double p[], int n, double re[], double im[])
   }
 }
 
-/* Whether a root mu is real; two that lie within rounding of each other may come out as
- * a complex pair. */
-static int is_real(double re, double im)
+/* alpha eta - gamma beta, in factors: the product has lost digits. */
+struct factors { double alpha[T], eta[T], gamma[T], beta[T]; };
+
+static struct value of_factors(const struct factors *f, int n, double t)
 {
-  return fabs(im) <= 1e-9 * (1. + fabs(re));
+  const struct value a = value(f->alpha, n, t), e = value(f->eta, n, t), g = value(f->gamma, n, t), b = value(f->beta, n, t);
+
+  return (struct value){
+    a.p * e.p - g.p * b.p,
+    a.d * e.p + a.p * e.d - g.d * b.p - g.p * b.d,
+    a.dd * e.p + 2. * a.d * e.d + a.p * e.dd - g.dd * b.p - 2. * g.d * b.d - g.p * b.dd,
+  };
 }
 
-/* The roots t > 0 of p[0..n], refined; returns their number. */
-static int positive_roots(const double p[], int n, double t[])
+/* Newton's method from t, which is near a root; the root, or NaN. */
+static double root_near(const struct factors *f, int n, double t)
 {
-  double q[T + 1], re[T], im[T];
-  int roots = 0, m = n;
+  double last = INFINITY;
 
-  while (m > 0 && p[m] == 0.)
-    m--;
-  if (m == 0)
-    return 0;
-  moebius(p, m, q);
-  while (m > 0 && q[m] == 0.) /* a root at t = -1 */
-    m--;
-  if (m == 0 || companion_roots(q, m, re, im) != 0)
+  for (int i = 0; i < NEWTON_STEPS; i++) {
+    const struct value v = of_factors(f, n, t);
+    const double step = v.p / v.d;
+
+    if (!(fabs(step) < 0.1 * t))
+      return NAN;
+    if (!(fabs(step) < last))
+      return fabs(step) < 1e-6 * t ? t : NAN;
+    last = i > 2 ? fabs(step) : INFINITY;
+    t -= step;
+  }
+  return t;
+}
+
+static int add_root(double root[], int n, double t)
+{
+  for (int i = 0; i < n; i++)
+    if (fabs(root[i] / t - 1.) < 1e-14)
+      return n;
+  if (t > t_least && t < t_most)
+    root[n++] = t;
+  return n;
+}
+
+/* The roots t > 0, refined; returns their number.  Two that lie within rounding of each
+ * other may come out as a complex pair: there the parabola through the middle tells. */
+static int positive_roots(const struct factors *f, double root[])
+{
+  double p[T] = { 0. }, re[T], im[T];
+  int n = 0, m;
+
+  add_product(p, 1., f->alpha, f->eta);
+  add_product(p, -1., f->gamma, f->beta);
+  m = degree_of(p);
+  if (m == 0 || companion_roots(p, m, re, im) != 0)
     return 0;
   for (int i = 0; i < m; i++)
-    if (is_real(re[i], im[i]) && fabs(re[i]) < 1.) {
-      double at = (1. + re[i]) / (1. - re[i]);
+    if (re[i] > 0. && fabs(im[i]) <= 1e-13 * re[i])
+      n = add_root(root, n, root_near(f, m, re[i]));
+    else if (re[i] > 0. && im[i] > 0. && im[i] < 1e-3 * re[i]) {
+      const struct value v = of_factors(f, m, re[i]);
+      const double middle = v.d / v.dd, D = middle * middle - 2. * v.p / v.dd;
 
-      for (int step = 0; step < 4; step++) {
-        const struct value v = value(p, n, at);
-        const double next = at - v.p / v.d;
-
-        if (!(fabs(next - at) < 1e-3 * at))
-          break;
-        at = next;
-      }
-      t[roots++] = at;
+      for (int side = -1; side <= 1 && D > 0.; side += 2)
+        n = add_root(root, n, root_near(f, m, re[i] - middle + side * sqrt(D)));
     }
-  return roots;
+  return n;
+}
+
+/* p + q times x. */
+static void combined(double r[T], const double p[T], const double q[T], double x)
+{
+  for (int i = 0; i < T; i++)
+    r[i] = p[i] + x * q[i];
 }
 
 int crossings_at_c(const struct crossing *x, double c, double V_least, double V_top, struct crossing_at out[])
 {
-  double A[T], B[T], C[T], t[T];
+  struct factors f;
+  double t[T];
   int n = 0, roots;
 
-  quadratic(x, A, B, C);
-  for (int i = 0; i < T; i++)
-    C[i] += c * (B[i] + c * A[i]);
-  roots = positive_roots(C, x->degree, t);
+  combined(f.alpha, x->a[0][0], x->a[0][1], c);
+  combined(f.gamma, x->a[1][0], x->a[1][1], c);
+  combined(f.beta, x->b[0][0], x->b[0][1], c);
+  combined(f.eta, x->b[1][0], x->b[1][1], c);
+  roots = positive_roots(&f, t);
   for (int i = 0; i < roots; i++) {
-    struct parts f = parts(x, t[i], c);
+    const struct parts at = parts(x, t[i], c);
 
-    for (int step = 0; step < 3; step++) { /* from the factors of G */
-      const struct jet_of_G j = jet_of_G(&f);
-
-      if (!(fabs(j.G / j.t) < 1e-3 * t[i]))
-        break;
-      t[i] -= j.G / j.t;
-      f = parts(x, t[i], c);
-    }
-    out[n] = (struct crossing_at){ t[i], speed(&f), c };
+    out[n] = (struct crossing_at){ t[i], speed(&at), c };
     if (out[n].V > V_least && out[n].V < V_top)
       n++;
   }
@@ -349,28 +363,26 @@ int crossings_at_c(const struct crossing *x, double c, double V_least, double V_
 
 int crossings_at_V(const struct crossing *x, double V, struct crossing_at out[])
 {
-  double a0[T], a1[T], b0[T], b1[T], H[T] = { 0. }, t[T];
+  struct factors f;
+  double t[T];
   int n = 0, roots;
 
-  for (int i = 0; i < T; i++) {
-    a0[i] = x->a[0][0][i] + V * x->a[1][0][i];
-    a1[i] = x->a[0][1][i] + V * x->a[1][1][i];
-    b0[i] = x->b[0][0][i] + V * x->b[1][0][i];
-    b1[i] = x->b[0][1][i] + V * x->b[1][1][i];
-  }
-  add_product(H, 1., a0, b1);
-  add_product(H, -1., a1, b0);
+  combined(f.alpha, x->a[0][0], x->a[1][0], V);
+  combined(f.gamma, x->a[0][1], x->a[1][1], V);
+  combined(f.beta, x->b[0][0], x->b[1][0], V);
+  combined(f.eta, x->b[0][1], x->b[1][1], V);
   if (V == 0.) { /* F(0) is 0 at V = 0 for every c: no crossing */
-    memmove(H, H + 1, (T - 1) * sizeof *H);
-    H[T - 1] = 0.;
+    memmove(f.alpha, f.alpha + 1, (T - 1) * sizeof *f.alpha);
+    memmove(f.gamma, f.gamma + 1, (T - 1) * sizeof *f.gamma);
+    f.alpha[T - 1] = f.gamma[T - 1] = 0.;
   }
-  roots = positive_roots(H, T - 1, t);
+  roots = positive_roots(&f, t);
   for (int i = 0; i < roots; i++) {
-    const double alpha = value(a0, T - 1, t[i]).p, alpha_c = value(a1, T - 1, t[i]).p;
-    const double beta = value(b0, T - 1, t[i]).p, beta_c = value(b1, T - 1, t[i]).p;
+    const double alpha = value(f.alpha, T - 1, t[i]).p, gamma = value(f.gamma, T - 1, t[i]).p;
+    const double beta = value(f.beta, T - 1, t[i]).p, eta = value(f.eta, T - 1, t[i]).p;
 
-    out[n] = (struct crossing_at){ t[i], V, fabs(alpha_c) > fabs(beta_c) ? -alpha / alpha_c : -beta / beta_c };
-    if (out[n].c > 0. && isfinite(out[n].c))
+    out[n] = (struct crossing_at){ t[i], V, fabs(gamma) > fabs(eta) ? -alpha / gamma : -beta / eta };
+    if (out[n].c > c_least && out[n].c < c_most)
       n++;
   }
   return n;
@@ -437,10 +449,31 @@ static int add_extrema(const struct crossing *x, double t, double V_least, doubl
   for (int k = 0; k < 2 && n < most; k++) {
     struct crossing_at p = { .t = t, .c = D < 0. ? -0.5 * B / A : root[k] };
 
-    if (isfinite(p.c) && p.c > 0. && refine(x, &p) && p.c > 0. && p.V > V_least && p.V < V_top && is_new(out, n, &p))
+    if (isfinite(p.c) && p.c > 0. && refine(x, &p) && p.c > c_least && p.c < c_most && p.V > V_least && p.V < V_top && is_new(out, n, &p))
       out[n++] = p;
   }
   return n;
+}
+
+/* (1 + mu)^k (1 - mu)^(m - k): t = (1 + mu)/(1 - mu) takes 0 < t < infinity to -1 < mu < 1,
+ * so that no root is at infinity and none is favoured. */
+static void moebius(const double p[], int m, double out[])
+{
+  double up[T + 1] = { 1. }; /* (1 + mu)^k, then times (1 - mu)^(m - k) */
+
+  memset(out, 0, (size_t)(m + 1) * sizeof *out);
+  for (int k = 0; k <= m; k++) {
+    double term[T + 1] = { 0. };
+
+    memcpy(term, up, (size_t)(k + 1) * sizeof *term);
+    for (int j = 0; j < m - k; j++)
+      for (int i = k + j + 1; i > 0; i--)
+        term[i] -= term[i - 1];
+    for (int i = 0; i <= m; i++)
+      out[i] += p[k] * term[i];
+    for (int i = k + 1; i > 0; i--)
+      up[i] += up[i - 1];
+  }
 }
 
 /* With G homogeneous of degree d in t and 1, G = G_t = 0 where G_t and d G - t G_t
