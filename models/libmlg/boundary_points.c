@@ -51,32 +51,86 @@ static double between(const struct events *e, int i)
   return sqrt(e->event[i].at.c * e->event[i + 1].at.c);
 }
 
+static void add_extremum(struct events *e, const struct crossing *x, const struct crossing_at *at)
+{
+  const int least = crossing_curvature(x, at) > 0.;
+
+  e->event[e->n++] = (struct event){ *at, least ? LIBMLG_LEAST : LIBMLG_LARGEST, least ? 2 : -2 };
+}
+
+/* Where the number of crossings differs at two c and nothing known lies between: two of
+ * them meet, and are followed there by bisection.  Beside an inerter's antiresonance, at
+ * a c_d of nearly 0, the eigenvalue problem can lose such a meeting to rounding. */
+static int add_between(struct events *e, const struct crossing *x, double V_least, double V_top, double c_lo, double c_hi)
+{
+  struct crossing_at lo[CROSSING_TERMS], hi[CROSSING_TERMS], middle[CROSSING_TERMS];
+  int n_lo = crossings_at_c(x, c_lo, V_least, V_top, lo), n_hi = crossings_at_c(x, c_hi, V_least, V_top, hi);
+  const struct crossing_at *more = n_lo > n_hi ? lo : hi;
+  struct crossing_at meeting;
+  double gap = INFINITY;
+
+  if (n_lo == n_hi || e->n == MOST)
+    return 0;
+  while (c_hi > c_lo * (1. + 1e-7)) {
+    const double c = sqrt(c_lo * c_hi);
+    const int n = crossings_at_c(x, c, V_least, V_top, middle);
+
+    if (n == n_lo) {
+      c_lo = c;
+      memcpy(lo, middle, sizeof lo);
+    } else {
+      c_hi = c;
+      n_hi = n;
+      memcpy(hi, middle, sizeof hi);
+    }
+  }
+  more = n_lo > n_hi ? lo : hi;
+  for (int i = 0; i < (n_lo > n_hi ? n_lo : n_hi); i++)
+    for (int k = 0; k < i; k++)
+      if (fabs(more[i].t - more[k].t) < gap * more[i].t) {
+        gap = fabs(more[i].t / more[k].t - 1.);
+        meeting = (struct crossing_at){ 0.5 * (more[i].t + more[k].t), 0., c_lo };
+      }
+  if (gap > 0.01 || !crossing_extremum_near(x, &meeting))
+    return 0;
+  for (int i = 0; i < e->n; i++)
+    if (crossing_same(&e->event[i].at, &meeting))
+      return 0;
+  add_extremum(e, x, &meeting);
+  return 1;
+}
+
 /* All events by rising c, and crossing[i + 1], the number of crossings above event i.
  * 0, or LIBMLG_UNSURE. */
 static int find_events(const struct crossing *x, double V_least, double V_top, struct events *e, int crossing[MOST + 1])
 {
   struct crossing_at at[MOST];
   const int extrema = crossing_extrema(x, V_least, V_top, at, MOST - 2 * CROSSING_TERMS);
+  int misfit, found;
 
   e->n = 0;
   if (extrema < 0)
     return LIBMLG_UNSURE;
-  for (int i = 0; i < extrema; i++) {
-    const int least = crossing_curvature(x, &at[i]) > 0.;
-
-    e->event[e->n++] = (struct event){ at[i], least ? LIBMLG_LEAST : LIBMLG_LARGEST, least ? 2 : -2 };
-  }
+  for (int i = 0; i < extrema; i++)
+    add_extremum(e, x, &at[i]);
   add_edges(e, x, V_least, LIBMLG_BOTTOM);
   add_edges(e, x, V_top, LIBMLG_TOP);
-  qsort(e->event, (size_t)e->n, sizeof *e->event, by_c);
-  for (int i = -1; i < e->n; i++) {
-    struct crossing_at there[CROSSING_TERMS];
+  do {
+    qsort(e->event, (size_t)e->n, sizeof *e->event, by_c);
+    misfit = -1;
+    for (int i = -1; i < e->n; i++) {
+      struct crossing_at there[CROSSING_TERMS];
 
-    crossing[i + 1] = crossings_at_c(x, between(e, i), V_least, V_top, there);
-    if (i >= 0 && crossing[i + 1] - crossing[i] != e->event[i].jump)
-      return LIBMLG_UNSURE;
-  }
-  return 0;
+      crossing[i + 1] = crossings_at_c(x, between(e, i), V_least, V_top, there);
+      if (i >= 0 && misfit < 0 && crossing[i + 1] - crossing[i] != e->event[i].jump)
+        misfit = i;
+    }
+    found = 0;
+    for (double beside = 1e-6; misfit >= 0 && !found && beside < 0.1; beside *= 100.)
+      found = add_between(e, x, V_least, V_top, between(e, misfit - 1), e->event[misfit].at.c * (1. - beside))
+              || add_between(e, x, V_least, V_top, e->event[misfit].at.c * (1. + beside), between(e, misfit));
+  } while (found);
+  return misfit < 0 ? 0 : LIBMLG_UNSURE;
 }
 
 /* Least damping ratio of F's roots; -1 with a positive real one. */

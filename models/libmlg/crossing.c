@@ -301,7 +301,7 @@ static double root_near(const struct factors *f, int n, double t)
 static int add_root(double root[], int n, double t)
 {
   for (int i = 0; i < n; i++)
-    if (fabs(root[i] / t - 1.) < 1e-14)
+    if (fabs(root[i] / t - 1.) < 1e-12)
       return n;
   if (t > t_least && t < t_most)
     root[n++] = t;
@@ -309,27 +309,42 @@ static int add_root(double root[], int n, double t)
 }
 
 /* The roots t > 0, refined; returns their number.  Two that lie within rounding of each
- * other may come out as a complex pair: there the parabola through the middle tells. */
+ * other may come out as a complex pair: there the parabola through the middle tells.
+ * Roots far below the largest come from the reversed polynomial, whose 1/t is large. */
 static int positive_roots(const struct factors *f, double root[])
 {
-  double p[T] = { 0. }, re[T], im[T];
+  double p[T] = { 0. }, reversed[T], re[T], im[T];
+  double largest = 0.;
   int n = 0, m;
 
   add_product(p, 1., f->alpha, f->eta);
   add_product(p, -1., f->gamma, f->beta);
   m = degree_of(p);
-  if (m == 0 || companion_roots(p, m, re, im) != 0)
-    return 0;
-  for (int i = 0; i < m; i++)
-    if (re[i] > 0. && fabs(im[i]) <= 1e-13 * re[i])
-      n = add_root(root, n, root_near(f, m, re[i]));
-    else if (re[i] > 0. && im[i] > 0. && im[i] < 1e-3 * re[i]) {
-      const struct value v = of_factors(f, m, re[i]);
-      const double middle = v.d / v.dd, D = middle * middle - 2. * v.p / v.dd;
+  for (int i = 0; i <= m; i++) {
+    reversed[i] = p[m - i];
+    largest = fmax(largest, fabs(p[i]));
+  }
+  /* no root lies below |p0| / (|p0| + largest) */
+  for (int way = 0; way < (p[0] == 0. || fabs(p[0]) > 2e-8 * largest ? 1 : 2); way++) {
+    if (m == 0 || companion_roots(way ? reversed : p, m, re, im) != 0)
+      return 0;
+    for (int i = 0; i < m; i++) {
+      const double size = re[i] * re[i] + im[i] * im[i], t = way ? re[i] / size : re[i];
+      const double away = fabs(way ? im[i] / size : im[i]);
 
-      for (int side = -1; side <= 1 && D > 0.; side += 2)
-        n = add_root(root, n, root_near(f, m, re[i] - middle + side * sqrt(D)));
+      if (way ? !(t > 0. && t < 1e-8) : !(t > 1e-9))
+        continue;
+      if (away <= 1e-13 * t)
+        n = add_root(root, n, root_near(f, m, t));
+      else if (im[i] > 0. && away < 1e-3 * t) {
+        const struct value v = of_factors(f, m, t);
+        const double middle = v.d / v.dd, D = middle * middle - 2. * v.p / v.dd;
+
+        for (int side = -1; side <= 1 && D > 0.; side += 2)
+          n = add_root(root, n, root_near(f, m, t - middle + side * sqrt(D)));
+      }
     }
+  }
   return n;
 }
 
@@ -402,8 +417,7 @@ int crossing_roots(const struct crossing *x, double V, double c, double re[], do
 
 /* --- extrema ---------------------------------------------------------------------------- */
 
-/* Newton's method for G = G_t = 0; 1: converged to rounding. */
-static int refine(const struct crossing *x, struct crossing_at *p)
+int crossing_extremum_near(const struct crossing *x, struct crossing_at *p)
 {
   const double from = p->t;
   double last = INFINITY;
@@ -427,10 +441,15 @@ static int refine(const struct crossing *x, struct crossing_at *p)
   return 0;
 }
 
+int crossing_same(const struct crossing_at *p, const struct crossing_at *q)
+{
+  return fabs(p->t / q->t - 1.) < 1e-9 && fabs(p->c / q->c - 1.) < 1e-7;
+}
+
 static int is_new(const struct crossing_at out[], int n, const struct crossing_at *p)
 {
   for (int i = 0; i < n; i++)
-    if (fabs(out[i].t / p->t - 1.) < 1e-9 && fabs(out[i].c / p->c - 1.) < 1e-9)
+    if (crossing_same(&out[i], p))
       return 0;
   return 1;
 }
@@ -449,7 +468,7 @@ static int add_extrema(const struct crossing *x, double t, double V_least, doubl
   for (int k = 0; k < 2 && n < most; k++) {
     struct crossing_at p = { .t = t, .c = D < 0. ? -0.5 * B / A : root[k] };
 
-    if (isfinite(p.c) && p.c > 0. && refine(x, &p) && p.c > c_least && p.c < c_most && p.V > V_least && p.V < V_top && is_new(out, n, &p))
+    if (isfinite(p.c) && p.c > 0. && crossing_extremum_near(x, &p) && p.c > c_least && p.c < c_most && p.V > V_least && p.V < V_top && is_new(out, n, &p))
       out[n++] = p;
   }
   return n;

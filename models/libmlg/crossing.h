@@ -50,6 +50,12 @@ int crossings_at_V(const struct crossing *x, double V, struct crossing_at out[])
 int crossing_extrema(const struct crossing *x, double V_least, double V_top,
                      struct crossing_at out[], int most);
 
+/* Newton's method for such an extremum from the t and c of *p; 1: *p is one, to rounding. */
+int crossing_extremum_near(const struct crossing *x, struct crossing_at *p);
+
+/* Whether two of them are one, found twice: beside an antiresonance c has 7 digits. */
+int crossing_same(const struct crossing_at *p, const struct crossing_at *q);
+
 /* Second derivative of c by t at an extremum: > 0 where c is least. */
 double crossing_curvature(const struct crossing *x, const struct crossing_at *p);
 
