@@ -58,23 +58,55 @@ static void add_extremum(struct events *e, const struct crossing *x, const struc
   e->event[e->n++] = (struct event){ *at, least ? LIBMLG_LEAST : LIBMLG_LARGEST, least ? 2 : -2 };
 }
 
-/* Where the number of crossings differs at two c and nothing known lies between: two of
- * them meet, and are followed there by bisection.  Beside an inerter's antiresonance, at
- * a c_d of nearly 0, the eigenvalue problem can lose such a meeting to rounding. */
+/* The one of n crossings that is about to leave the range of V, and where; LIBMLG_HOPF:
+ * none is. */
+static enum libmlg_kind leaving(const struct crossing_at at[], int n, double V_least, double V_top, struct crossing_at *which)
+{
+  double nearest = 1e-6 * (V_top - V_least);
+  enum libmlg_kind kind = LIBMLG_HOPF;
+
+  for (int i = 0; i < n; i++) {
+    const double up = V_top - at[i].V, down = at[i].V - V_least;
+
+    if (fmin(up, down) < nearest) {
+      nearest = fmin(up, down);
+      kind = up < down ? LIBMLG_TOP : LIBMLG_BOTTOM;
+      *which = at[i];
+    }
+  }
+  return kind;
+}
+
+/* The middle of the two of n crossings that are nearest to each other. */
+static int meeting(const struct crossing_at at[], int n, struct crossing_at *middle)
+{
+  double gap = 0.01;
+
+  for (int i = 0; i < n; i++)
+    for (int k = 0; k < i; k++)
+      if (fabs(at[i].t / at[k].t - 1.) < gap) {
+        gap = fabs(at[i].t / at[k].t - 1.);
+        *middle = (struct crossing_at){ 0.5 * (at[i].t + at[k].t), 0., at[i].c };
+      }
+  return gap < 0.01;
+}
+
+/* Where the number of crossings differs at two c and nothing known lies between, one
+ * leaves the range of V or two meet; that is followed by bisection.  Beside an inerter's
+ * antiresonance, at a c_d of nearly 0, the eigenvalue problem can lose it to rounding. */
 static int add_between(struct events *e, const struct crossing *x, double V_least, double V_top, double c_lo, double c_hi)
 {
-  struct crossing_at lo[CROSSING_TERMS], hi[CROSSING_TERMS], middle[CROSSING_TERMS];
+  struct crossing_at lo[CROSSING_TERMS], hi[CROSSING_TERMS], middle[CROSSING_TERMS], at;
   int n_lo = crossings_at_c(x, c_lo, V_least, V_top, lo), n_hi = crossings_at_c(x, c_hi, V_least, V_top, hi);
-  const struct crossing_at *more = n_lo > n_hi ? lo : hi;
-  struct crossing_at meeting;
-  double gap = INFINITY;
 
   if (n_lo == n_hi || e->n == MOST)
     return 0;
-  while (c_hi > c_lo * (1. + 1e-7)) {
+  while (c_hi > c_lo * (1. + (abs(n_lo - n_hi) == 1 ? 1e-14 : 1e-7))) {
     const double c = sqrt(c_lo * c_hi);
     const int n = crossings_at_c(x, c, V_least, V_top, middle);
 
+    if (!(c > c_lo && c < c_hi))
+      break;
     if (n == n_lo) {
       c_lo = c;
       memcpy(lo, middle, sizeof lo);
@@ -84,19 +116,20 @@ static int add_between(struct events *e, const struct crossing *x, double V_leas
       memcpy(hi, middle, sizeof hi);
     }
   }
-  more = n_lo > n_hi ? lo : hi;
-  for (int i = 0; i < (n_lo > n_hi ? n_lo : n_hi); i++)
-    for (int k = 0; k < i; k++)
-      if (fabs(more[i].t - more[k].t) < gap * more[i].t) {
-        gap = fabs(more[i].t / more[k].t - 1.);
-        meeting = (struct crossing_at){ 0.5 * (more[i].t + more[k].t), 0., c_lo };
-      }
-  if (gap > 0.01 || !crossing_extremum_near(x, &meeting))
+  if (abs(n_lo - n_hi) == 1) {
+    const enum libmlg_kind kind = leaving(n_lo > n_hi ? lo : hi, n_lo > n_hi ? n_lo : n_hi, V_least, V_top, &at);
+
+    if (kind == LIBMLG_HOPF)
+      return 0;
+    e->event[e->n++] = (struct event){ at, kind, n_hi - n_lo };
+    return 1;
+  }
+  if (!meeting(n_lo > n_hi ? lo : hi, n_lo > n_hi ? n_lo : n_hi, &at) || !crossing_extremum_near(x, &at))
     return 0;
   for (int i = 0; i < e->n; i++)
-    if (crossing_same(&e->event[i].at, &meeting))
+    if (crossing_same(&e->event[i].at, &at))
       return 0;
-  add_extremum(e, x, &meeting);
+  add_extremum(e, x, &at);
   return 1;
 }
 
