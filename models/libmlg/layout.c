@@ -1,10 +1,10 @@
-/* libmlg_layout.c - one layout for libmlg
+/* layout.c - one layout for the library
  *
  * Compiled once per layout around its device, -DLAYOUT='"l1.c"' -DNAME=l1.
  */
 #define MLG_NO_AUTO
 #include LAYOUT
-#include "libmlg_layout.h"
+#include "layout.h"
 
 #define TEXT_OF(name) #name
 #define TEXT(name) TEXT_OF(name)
@@ -19,4 +19,13 @@ static const struct libmlg_quantity state[NDIM] = {
 
 _Static_assert((int)NDIM <= (int)LIBMLG_MOST_STATES, "libmlg.h promises enough");
 
-const struct libmlg_layout ENTRY(NAME) = { TEXT(NAME), NDIM, state, right_hand_side, derivatives };
+static double torque(const double par[], const double u[])
+{
+  double rates[NDIM];
+
+  return device(par, u, rates);
+}
+
+const struct libmlg_layout ENTRY(NAME) = {
+  TEXT(NAME), NDIM, state, right_hand_side, derivatives, torque, device_network,
+};
