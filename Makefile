@@ -21,11 +21,12 @@ ifneq ($(misnamed),)
 $(error models/$(firstword $(misnamed)).c: the name of a layout has letters, digits and _, a letter first)
 endif
 models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.exe) \
-          $(layouts:%=build/bin/scan-%) $(layouts:%=build/bin/curves-%) build/bin/constants
+          $(layouts:%=build/bin/scan-%) $(layouts:%=build/bin/curves-%) build/bin/constants build/bin/mlg
 damped := damping transients
 integrating := simulate search
 sundials = -lsundials_cvode -lsundials_nvecserial
 lapack = -llapacke -llapack
+numerics = $(lapack) $(sundials) -lm
 runs := $(patsubst constants/c.l1.%,%,$(wildcard constants/c.l1.*))
 made_constants := $(filter-out $(patsubst constants/c.%,%,$(wildcard constants/c.*)),\
                     $(foreach layout,$(layouts),$(runs:%=$(layout).%)))
@@ -121,27 +122,42 @@ build/constants/c.$(1): $(firstword $(wildcard constants/c.l2$(suffix $(1)) cons
 endef
 $(foreach file,$(made_constants),$(eval $(call constants_rule,$(file))))
 
-# --- libmlg: the right-hand sides as a C library, without AUTO ----------------
-library_cc = $(CC) $(CFLAGS) -fPIC -fvisibility=hidden -Imodels -Ibuild/lib -c
+# --- libmlg: the equations and what follows from them as a C library, without AUTO
+library_cc = $(CC) $(CFLAGS) -fPIC -fvisibility=hidden -Imodels -Imodels/libmlg -Ibuild/libmlg -c
+library_parts := $(patsubst models/libmlg/%.c,build/libmlg/%.o,$(filter-out %/layout.c,$(wildcard models/libmlg/*.c)))
+library_layouts := $(layouts:%=build/libmlg/layout-%.o)
 
-build/lib/layouts.h: always
+build/libmlg/layouts.h: always
 	@mkdir -p $(@D)
 	@printf 'L(%s)\n' $(layouts) > $@.$$$$ && if cmp -s $@.$$$$ $@; then rm $@.$$$$; else mv $@.$$$$ $@; fi
 
-build/lib/libmlg.o: models/libmlg.c build/lib/layouts.h Makefile
+$(library_parts): build/libmlg/%.o: models/libmlg/%.c build/libmlg/layouts.h Makefile
 	@$(call compiled,$(library_cc) $<)
 
-build/lib/%.o: models/libmlg_layout.c models/%.c Makefile
+$(library_layouts): build/libmlg/layout-%.o: models/libmlg/layout.c models/%.c Makefile
 	@mkdir -p $(@D)
 	@$(call compiled,$(library_cc) -DLAYOUT='"$*.c"' -DNAME=$* $<)
 
-build/lib/libmlg.a: build/lib/libmlg.o $(layouts:%=build/lib/%.o)
+build/lib/libmlg.a: $(library_parts) $(library_layouts)
+	@mkdir -p $(@D)
 	@$(AR) rcs $@.$$$$ $^ && mv $@.$$$$ $@
 
-build/lib/libmlg.so: build/lib/libmlg.o $(layouts:%=build/lib/%.o)
-	@$(call whole,$(CC) -shared $^ -lm)
+build/lib/libmlg.so: $(library_parts) $(library_layouts)
+	@mkdir -p $(@D)
+	@$(call whole,$(CC) -shared $^ $(numerics))
 
--include $(wildcard build/models/*.d build/lib/*.d build/bin/*.d build/tests/*.d)
+# --- mlg: the one command on it ------------------------------------------------
+mlg_parts := $(patsubst scripts/mlg/%.c,build/mlg/%.o,$(wildcard scripts/mlg/*.c))
+
+$(mlg_parts): build/mlg/%.o: scripts/mlg/%.c Makefile
+	@mkdir -p $(@D)
+	@$(call compiled,$(CC) $(CFLAGS) -Imodels -Imodels/libmlg -Iscripts/mlg -c $<)
+
+build/bin/mlg: $(mlg_parts) build/lib/libmlg.a
+	@mkdir -p $(@D)
+	@$(call whole,$(CC) $^ $(numerics))
+
+-include $(wildcard build/models/*.d build/libmlg/*.d build/mlg/*.d build/bin/*.d build/tests/*.d)
 .SECONDARY:
 
 # --- figures: runs side by side, then tables, then the picture ---------------
@@ -226,7 +242,7 @@ docs/drawings/%.svg: build/bin/draw-%
 tests := $(filter-out build/tests/layout,$(patsubst tests/test_%.c,build/tests/%,$(wildcard tests/test_*.c)))
 layout_tests := $(layouts:%=build/tests/layout-%)
 oracles := $(layouts:%=build/bin/eigen-%)
-to_test = -Imodels -Iscripts
+to_test = -Imodels -Imodels/libmlg -Iscripts
 to_test_layout = $(to_test) -D_DEFAULT_SOURCE -isystem $(AUTO_INCLUDE) -DLAYOUT='"$*.c"'
 
 test: test-programs ## every test; tests/run.sh runs some of them
@@ -281,7 +297,7 @@ $(oracles): build/bin/eigen-%: tests/eigen.c models/%.c build/auto.mk Makefile
 	@$(call compiled,$(CC) $(CFLAGS) $(to_test_layout) $< $(lapack) -lm)
 
 clean: ## the runs and the models; AUTO and its tarball stay
-	rm -rf build/runs build/tables build/constants build/models build/lib build/bin build/tests
+	rm -rf build/runs build/tables build/constants build/models build/lib build/libmlg build/mlg build/bin build/tests
 
 distclean: ## everything that was built
 	rm -rf build

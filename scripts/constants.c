@@ -19,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../models/libmlg.h"
+#include "../models/libmlg/libmlg.h"
 #include "../models/mlg.h"
 #include "arguments.h"
 

@@ -24,8 +24,8 @@ figures    command   make         make             builds and runs everything
 figures    terminal  pdfcairo     gnuplot-nox      draws the figures
 figures    command   cmark-gfm    cmark-gfm        the results as a page in HTML
 test       header    cmocka.h     libcmocka-dev    the tests in C
-test       header    lapacke.h    liblapacke-dev   eigenvalues to compare with
-test       header    cvode/cvode.h libsundials-dev  time integration
+figures    header    lapacke.h    liblapacke-dev   eigenvalues of a gear (mlg)
+figures    header    cvode/cvode.h libsundials-dev  integration in time (mlg)
 test       command   bats         bats             the tests in shell
 test       command   shellcheck   shellcheck       the test of the scripts themselves
 test       command   python3      python3          the Python interface of AUTO

@@ -39,7 +39,7 @@ command_of_guide() {
 
 @test "the example in C compiles as C++ and without the rest of the project" {
   mkdir -p alone
-  cp docs/examples/rhs.c models/libmlg.h build/lib/libmlg.a alone
+  cp docs/examples/rhs.c models/libmlg/libmlg.h build/lib/libmlg.a alone
   cd alone
   gcc -std=c11 -Wall -Wextra -Wpedantic -Werror rhs.c libmlg.a -lm -o rhs
   echo '#include "libmlg.h"' >include.c
@@ -67,5 +67,5 @@ eps rad 0.184229199" ] # k_psi psi / c_d, psi = pi/180
 
 @test "the library exports what its header declares, and nothing else" {
   diff <(nm -D --defined-only build/lib/libmlg.so | awk '{ print $3 }' | sort) \
-    <(grep -o 'libmlg_[a-z_]*(' models/libmlg.h | grep -v '_outside does' | tr -d '(' | sort -u)
+    <(grep -o 'libmlg_[a-z_]*(' models/libmlg/libmlg.h | grep -v '_outside does' | tr -d '(' | sort -u)
 }

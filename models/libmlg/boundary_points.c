@@ -10,7 +10,6 @@
 #include <stdlib.h>
 
 #include "crossing.h"
-#include "mlg.h"
 #include "linearised.h"
 
 enum { MOST = LIBMLG_MOST_POINTS };
@@ -182,14 +181,14 @@ static double ratio_of(const struct crossing *x, double V, double c)
 }
 
 /* What a call works on. */
-struct problem { const struct libmlg_layout *layout; double par[LIBMLG_SLOTS]; struct crossing x; };
+struct problem { const struct libmlg_layout *layout; double par[MLG_SLOTS]; struct crossing x; };
 
 static int problem(struct problem *p, int layout, const double par[], double zeta)
 {
   p->layout = libmlg_find(layout);
   if (!p->layout)
     return LIBMLG_NONE;
-  libmlg_into_slots(par, p->par);
+  libmlg_slots(par, p->par);
   p->x = crossing_of(p->layout, p->par, zeta);
   return 0;
 }

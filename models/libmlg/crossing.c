@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "crossing.h"
-#include "mlg.h"
 #include "linearised.h"
 
 enum { T = CROSSING_TERMS, MOST_SIZE = 4 * T, NEWTON_STEPS = 30 };
@@ -39,7 +38,7 @@ static void determinants(const double par[], struct poly whole[2], struct poly m
 /* The device as [0] + [1] c/c_unit.  A rigid spring has no compliance at all. */
 static void device(const struct libmlg_layout *layout, const double par[], double c_unit, struct network Z[2])
 {
-  double p[LIBMLG_SLOTS];
+  double p[MLG_SLOTS];
 
   memcpy(p, par, sizeof p);
   if (p[PAR_K_S] >= MLG_RIGID)

@@ -1,4 +1,4 @@
-/* layout.c - one layout for libmlg
+/* layout.c - one layout for the library
  *
  * Compiled once per layout around its device, -DLAYOUT='"l1.c"' -DNAME=l1.
  */
@@ -19,4 +19,13 @@ static const struct libmlg_quantity state[NDIM] = {
 
 _Static_assert((int)NDIM <= (int)LIBMLG_MOST_STATES, "libmlg.h promises enough");
 
-const struct libmlg_layout ENTRY(NAME) = { TEXT(NAME), NDIM, state, right_hand_side, derivatives, device_network };
+static double torque(const double par[], const double u[])
+{
+  double rates[NDIM];
+
+  return device(par, u, rates);
+}
+
+const struct libmlg_layout ENTRY(NAME) = {
+  TEXT(NAME), NDIM, state, right_hand_side, derivatives, torque, device_network,
+};

@@ -1,26 +1,34 @@
-/* layout.h - a layout as libmlg.c sees it; private to libmlg */
+/* layout.h - a layout as the library sees it; private to models/libmlg
+ *
+ * Inside the library parameters stand in AUTO's slots, par[MLG_SLOTS] with the
+ * indices PAR_V, ... of models/mlg.h; libmlg.h gives them side by side.
+ */
 #ifndef LIBMLG_LAYOUT_H
 #define LIBMLG_LAYOUT_H
 
 #include "libmlg.h"
-#include "network.h"
+#include "mlg.h"
 
-enum { LIBMLG_SLOTS = 36 }; /* AUTO's par[] */
+enum { MLG_SLOTS = 36 };
 
 struct libmlg_layout {
   const char *name;
   int states;
   const struct libmlg_quantity *state;
-  /* par, dfdp: AUTO's slots; f: the rates at u */
+  /* dfdp: a column for each slot, or NULL; f: the rates at u */
   void (*rhs)(const double par[], const double u[], double f[]);
   void (*jacobian)(const double par[], const double u[], const double f[], double dfdu[], double dfdp[]);
-  struct network (*network)(const double par[]); /* the device with k_psi */
+  double (*torque)(const double par[], const double u[]); /* T_d, N m */
+  struct network (*network)(const double par[]);          /* dynamic stiffness of the device */
 };
 
-/* NULL: no such layout */
+/* The layout of that number, or NULL. */
 const struct libmlg_layout *libmlg_find(int layout);
 
-/* AUTO's slots from par[libmlg_parameters()]. */
-void libmlg_into_slots(const double par[], double slots[LIBMLG_SLOTS]);
+/* The slots of AUTO, from par[libmlg_parameters()]. */
+void libmlg_slots(const double par[], double slots[MLG_SLOTS]);
+
+/* The eigenvalues of libmlg_eigenvalues(), at slots; how many, or LIBMLG_FAILED. */
+int libmlg_spectrum(const struct libmlg_layout *l, const double slots[], double re[], double im[]);
 
 #endif

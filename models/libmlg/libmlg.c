@@ -1,4 +1,4 @@
-/* libmlg.c - the library of libmlg.h over all layouts
+/* libmlg.c - layouts, states and parameters by name; rates and their derivatives
  *
  * The layouts come from layout.c; the Makefile names them in layouts.h,
  * L(l1) L(l2) ...
@@ -6,11 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#pragma GCC visibility push(default)
-#include "libmlg.h"
-#pragma GCC visibility pop
 #include "layout.h"
-#include "mlg.h"
 
 #define L(name) extern const struct libmlg_layout libmlg_layout_##name;
 #include "layouts.h"
@@ -133,8 +129,9 @@ int libmlg_outside(const double par[])
   return LIBMLG_NONE;
 }
 
-void libmlg_into_slots(const double par[], double slots[LIBMLG_SLOTS])
+void libmlg_slots(const double par[], double slots[MLG_SLOTS])
 {
+  memset(slots, 0, MLG_SLOTS * sizeof *slots);
   for (int i = 0; i < PARAMETERS; i++)
     slots[parameters[i].index] = par[i];
 }
@@ -142,11 +139,11 @@ void libmlg_into_slots(const double par[], double slots[LIBMLG_SLOTS])
 int libmlg_rhs(int layout, const double par[], const double u[], double f[])
 {
   const struct libmlg_layout *l = libmlg_find(layout);
-  double slots[LIBMLG_SLOTS];
+  double slots[MLG_SLOTS];
 
   if (!l)
     return LIBMLG_NONE;
-  libmlg_into_slots(par, slots);
+  libmlg_slots(par, slots);
   l->rhs(slots, u, f);
   return 0;
 }
@@ -154,14 +151,49 @@ int libmlg_rhs(int layout, const double par[], const double u[], double f[])
 int libmlg_jacobian(int layout, const double par[], const double u[], double dfdu[], double dfdp[])
 {
   const struct libmlg_layout *l = libmlg_find(layout);
-  double slots[LIBMLG_SLOTS], f[LIBMLG_MOST_STATES], all[36 * LIBMLG_MOST_STATES];
+  double slots[MLG_SLOTS], f[LIBMLG_MOST_STATES], all[MLG_SLOTS * LIBMLG_MOST_STATES];
 
   if (!l)
     return LIBMLG_NONE;
-  libmlg_into_slots(par, slots);
+  libmlg_slots(par, slots);
   l->rhs(slots, u, f);
   l->jacobian(slots, u, f, dfdu, dfdp ? all : NULL);
   for (int k = 0; dfdp && k < PARAMETERS; k++)
     memcpy(dfdp + k * l->states, all + parameters[k].index * l->states, (size_t)l->states * sizeof *dfdp);
   return 0;
+}
+
+int libmlg_torque(int layout, const double par[], const double u[], double *T_d)
+{
+  const struct libmlg_layout *l = libmlg_find(layout);
+  double slots[MLG_SLOTS];
+
+  if (!l)
+    return LIBMLG_NONE;
+  libmlg_slots(par, slots);
+  *T_d = l->torque(slots, u);
+  return 0;
+}
+
+/* Whether the rates at some state move with the parameter, of a device that has all. */
+int libmlg_uses(int layout, int parameter)
+{
+  const struct libmlg_layout *l = libmlg_find(layout);
+  double slots[2][MLG_SLOTS] = { { 0. } }, u[LIBMLG_MOST_STATES], f[2][LIBMLG_MOST_STATES];
+
+  if (!l || !is_parameter(parameter))
+    return LIBMLG_NONE;
+  for (int k = 0; k < 2; k++) {
+    double *const p = slots[k];
+
+    mlg_defaults(p);
+    p[PAR_K_S] = 1e6;
+    p[PAR_B] = 100.;
+    if (k == 1)
+      p[parameters[parameter].index] *= 1.1;
+    for (int i = 0; i < l->states; i++)
+      u[i] = 1e-2 * (i + 1);
+    l->rhs(p, u, f[k]);
+  }
+  return memcmp(f[0], f[1], (size_t)l->states * sizeof **f) != 0;
 }

@@ -1,7 +1,9 @@
-/* libmlg.h - the landing gear as a C library: u' = f(u; par)
+/* libmlg.h - the landing gear as a C library: rates, eigenvalues, integration
  *
- * For continuation and simulation codes that want the very model AUTO runs.
- * Needs nothing of AUTO and no other header of this project; link -lmlg -lm.
+ * For continuation and simulation codes that want the very model AUTO runs, and
+ * what the commands of mlg are made of.  Needs nothing of AUTO and no other header
+ * of this project; link -lmlg -lm, and behind it -llapacke -llapack for what says
+ * LAPACK here, -lsundials_cvode -lsundials_nvecserial for what says SUNDIALS.
  * `make libmlg` builds build/lib/libmlg.a and build/lib/libmlg.so; a layout is in
  * them when its file is in models/.
  *
@@ -18,11 +20,15 @@
 extern "C" {
 #endif
 
+#if defined __GNUC__
+#pragma GCC visibility push(default) /* the rest of the library does not show */
+#endif
+
 /* The array sizes that are enough for any layout. */
 enum { LIBMLG_MOST_PARAMETERS = 64, LIBMLG_MOST_STATES = 32 };
 
-/* Returned for a name or a number that is none. */
-enum { LIBMLG_NONE = -1 };
+/* Returned for a name or a number that is none; and for a problem without a solution. */
+enum { LIBMLG_NONE = -1, LIBMLG_FAILED = -2 };
 
 /* What a parameter or a state is; the texts are not to be freed. */
 struct libmlg_quantity {
@@ -64,6 +70,10 @@ void libmlg_defaults(double par[]);
 /* The first parameter outside its range, or LIBMLG_NONE: all are inside. */
 int libmlg_outside(const double par[]);
 
+/* 1 where the rates of the layout depend on the parameter, 0 where its device has no such
+ * element (l1 has no k_s and no b), LIBMLG_NONE: no such layout or parameter. */
+int libmlg_uses(int layout, int parameter);
+
 /* --- the equations ----------------------------------------------------------------- */
 
 /* f[] = u' for states u[], both libmlg_states(layout) long, at the parameters
@@ -77,6 +87,21 @@ int libmlg_rhs(int layout, const double par[], const double u[], double f[]);
  * dfdp may be NULL.  Exact, but those by the device's own parameters, which are good
  * to 1e-10; 0 for b = 0 and for a rigid k_s.  Returns as libmlg_rhs. */
 int libmlg_jacobian(int layout, const double par[], const double u[], double dfdu[], double dfdp[]);
+
+/* The torque T_d, N m, that the device takes from the wheels at the states u[].
+ * Returns as libmlg_rhs. */
+int libmlg_torque(int layout, const double par[], const double u[], double *T_d);
+
+/* --- straight rolling, linearised (LAPACK) --------------------------------------------- */
+
+/* Eigenvalues re[i] + i im[i], 1/s, of the Jacobian at u = 0, by falling real part, of a
+ * pair the one above the axis first; *n of them, at most libmlg_states(layout).  Those of
+ * states that have no equation of their own are left out: without inerter or with a
+ * rigid k_s a layout lets such a state follow its value at 1000/s (models/mlg.h), so that
+ * its row or its column of the Jacobian is 0 but for -1000 on the diagonal.
+ * Rounding is some 1e-16 of the norm of the balanced Jacobian, about 1e-11/s.
+ * Returns 0, LIBMLG_NONE: no such layout, LIBMLG_FAILED: the Jacobian is not finite. */
+int libmlg_eigenvalues(int layout, const double par[], double re[], double im[], int *n);
 
 /* --- straight rolling: where it is stable ---------------------------------------------
  *
@@ -92,7 +117,7 @@ int libmlg_jacobian(int layout, const double par[], const double u[], double dfd
  * Functions that return a number of points return LIBMLG_NONE for no such layout, and
  * LIBMLG_UNSURE when LAPACK failed or what was found contradicts itself. */
 
-enum { LIBMLG_UNSURE = -2, LIBMLG_MOST_POINTS = 128 };
+enum { LIBMLG_UNSURE = -3, LIBMLG_MOST_POINTS = 128 };
 
 /* What bounds a region of shimmy in the (V, c_d) plane at a point. */
 enum libmlg_kind {
@@ -143,6 +168,10 @@ double libmlg_damping_ratio(int layout, const double par[]);
 /* Whether the gear diverges, a real root growing, at every V and c_d: 1 or 0; the sign of
  * F(0) decides, which hangs on neither. */
 int libmlg_diverges(int layout, const double par[]);
+
+#if defined __GNUC__
+#pragma GCC visibility pop
+#endif
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,79 @@
+/* mlg - what is to be known of a landing gear with a device, by one command
+ *
+ *   mlg COMMAND LAYOUT [NAME=VALUE ...] [gear=FILE]
+ *   mlg help [COMMAND]
+ *
+ * Status 0; 1 when there is nothing to say or the output cannot be written, 2 at bad
+ * input: one line on standard error says which word and what would be right.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "arguments.h"
+#include "command.h"
+
+/* Each stands in scripts/mlg/NAME.c. */
+extern const struct command command_eigenvalues;
+
+static const struct command *const commands[] = {
+  &command_eigenvalues,
+};
+
+enum { COMMANDS = sizeof commands / sizeof *commands };
+
+static const struct command *find(const char *name)
+{
+  for (int i = 0; i < COMMANDS; i++)
+    if (strcmp(commands[i]->name, name) == 0)
+      return commands[i];
+  return NULL;
+}
+
+static const char common[] =
+  "NAME=VALUE: a parameter of models/mlg.h in SI units and radians; k_s=inf is rigid,\n"
+  "compliance is 1e5/k_s, F_z the static load in place of M, V_top the top of the\n"
+  "operating range (200 m/s).  gear=FILE: values from a file as constants/gear.printed.\n";
+
+static void list_commands(void)
+{
+  printf("mlg COMMAND LAYOUT [NAME=VALUE ...] [gear=FILE]\n\n");
+  for (int i = 0; i < COMMANDS; i++)
+    printf("  %-12s %s\n", commands[i]->name, commands[i]->summary);
+  printf("  %-12s %s\n\nLAYOUT:", "help", "this list; `mlg help COMMAND` says more of one");
+  for (int i = 0; i < libmlg_layouts(); i++)
+    printf(" %s", libmlg_layout_name(i));
+  printf("\n%s", common);
+}
+
+static int help(int argc, char *argv[])
+{
+  const struct command *c = argc > 1 ? find(argv[1]) : NULL;
+
+  if (argc > 2)
+    refuse("help", argv[2], "expected one command at most");
+  if (argc > 1 && !c)
+    refuse("help", argv[1], "no such command; `mlg help` lists them");
+  if (c)
+    printf("mlg %s %s\n\n%s.\n\n%s\n%s", c->name, c->usage, c->summary, c->details,
+           strstr(c->usage, "NAME=VALUE") ? common : "");
+  else
+    list_commands();
+  return output_status("help");
+}
+
+int main(int argc, char *argv[])
+{
+  const struct command *c = argc > 1 ? find(argv[1]) : NULL;
+
+  if (argc < 2) {
+    fprintf(stderr, "mlg: expected a command; `mlg help` lists them\n");
+    return MLG_BAD_INPUT;
+  }
+  if (strcmp(argv[1], "help") == 0 || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
+    return help(argc - 1, argv + 1);
+  if (!c) {
+    fprintf(stderr, "mlg: '%s': no such command; `mlg help` lists them\n", argv[1]);
+    return MLG_BAD_INPUT;
+  }
+  return c->run(argc - 1, argv + 1);
+}
