@@ -8,6 +8,7 @@
  */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "crossing.h"
 #include "linearised.h"
@@ -136,6 +137,7 @@ static int add_between(struct events *e, const struct crossing *x, double V_leas
  * 0, or LIBMLG_UNSURE. */
 static int find_events(const struct crossing *x, double V_least, double V_top, struct events *e, int crossing[MOST + 1])
 {
+  const double narrow = 1e-7;
   struct crossing_at at[MOST];
   const int extrema = crossing_extrema(x, V_least, V_top, at, MOST - 2 * CROSSING_TERMS);
   int misfit, found;
@@ -153,7 +155,11 @@ static int find_events(const struct crossing *x, double V_least, double V_top, s
     for (int i = -1; i < e->n; i++) {
       struct crossing_at there[CROSSING_TERMS];
 
-      crossing[i + 1] = crossings_at_c(x, between(e, i), V_least, V_top, there);
+      /* two crossings in so narrow a gap cannot be told from none */
+      if (i >= 0 && i + 1 < e->n && e->event[i + 1].at.c < e->event[i].at.c * (1. + narrow))
+        crossing[i + 1] = crossing[i] + e->event[i].jump;
+      else
+        crossing[i + 1] = crossings_at_c(x, between(e, i), V_least, V_top, there);
       if (i >= 0 && misfit < 0 && crossing[i + 1] - crossing[i] != e->event[i].jump)
         misfit = i;
     }
@@ -163,21 +169,6 @@ static int find_events(const struct crossing *x, double V_least, double V_top, s
               || add_between(e, x, V_least, V_top, e->event[misfit].at.c * (1. + beside), between(e, misfit));
   } while (found);
   return misfit < 0 ? 0 : LIBMLG_UNSURE;
-}
-
-/* Least damping ratio of F's roots; -1 with a positive real one. */
-static double ratio_of(const struct crossing *x, double V, double c)
-{
-  double re[CROSSING_TERMS], im[CROSSING_TERMS], least = 1.;
-  const int n = crossing_roots(x, V, c, re, im);
-
-  for (int i = 0; i < n; i++) {
-    const double size = hypot(re[i], im[i]);
-
-    if (size > 0.)
-      least = fmin(least, fabs(im[i]) > 0. || re[i] < 0. ? -re[i] / size : -1.);
-  }
-  return n < 0 ? NAN : least;
 }
 
 /* What a call works on. */
@@ -246,46 +237,67 @@ int libmlg_hopf_at_V(int layout, const double par[], double zeta, struct libmlg_
   return hand_over(&p, at, crossings_at_V(&p.x, p.par[PAR_V] / p.x.V_unit, at), point, most, by_c_d);
 }
 
+/* Both at once, for what they share; *points and *intervals may be LIBMLG_UNSURE. */
+static void points_and_intervals(const struct problem *p, double V_least, double V_top, struct libmlg_point point[],
+                                 int most_points, int *points, struct libmlg_interval interval[], int most_intervals,
+                                 int *intervals)
+{
+  const struct libmlg_point zero = { .c_d = 0., .kind = LIBMLG_ENDS }, infinite = { .c_d = INFINITY, .kind = LIBMLG_ENDS };
+  struct events e;
+  int crossing[MOST + 1], n = 0;
+
+  V_least /= p->x.V_unit;
+  V_top /= p->x.V_unit;
+  *points = *intervals = find_events(&p->x, V_least, V_top, &e, crossing);
+  if (*points != 0)
+    return;
+  for (int i = 0; i < e.n && i < most_points; i++)
+    point[i] = point_of(p, &e.event[i].at, e.event[i].kind);
+  for (int i = -1; i < e.n && most_intervals > 0; i++)
+    if (crossing[i + 1] == 0 && crossing_ratio(&p->x, 0.5 * (V_least + V_top), between(&e, i)) > p->x.zeta) {
+      if (n < most_intervals)
+        interval[n] = (struct libmlg_interval){
+          i < 0 ? zero : point_of(p, &e.event[i].at, e.event[i].kind),
+          i + 1 == e.n ? infinite : point_of(p, &e.event[i + 1].at, e.event[i + 1].kind),
+        };
+      n++;
+    }
+  *points = e.n;
+  *intervals = n;
+}
+
 int libmlg_boundary_points(int layout, const double par[], double zeta, double V_least, double V_top,
                            struct libmlg_point point[], int most)
 {
   struct problem p;
-  struct events e;
-  int crossing[MOST + 1];
+  int points, intervals;
 
   if (problem(&p, layout, par, zeta) != 0)
     return LIBMLG_NONE;
-  if (find_events(&p.x, V_least / p.x.V_unit, V_top / p.x.V_unit, &e, crossing) != 0)
-    return LIBMLG_UNSURE;
-  for (int i = 0; i < e.n && i < most; i++)
-    point[i] = point_of(&p, &e.event[i].at, e.event[i].kind);
-  return e.n;
+  points_and_intervals(&p, V_least, V_top, point, most, &points, NULL, 0, &intervals);
+  return points;
 }
 
 int libmlg_intervals(int layout, const double par[], double zeta, double V_least, double V_top,
                      struct libmlg_interval interval[], int most)
 {
-  const struct libmlg_point zero = { .c_d = 0., .kind = LIBMLG_ENDS }, infinite = { .c_d = INFINITY, .kind = LIBMLG_ENDS };
   struct problem p;
-  struct events e;
-  int crossing[MOST + 1], n = 0;
+  int points, intervals;
 
   if (problem(&p, layout, par, zeta) != 0)
     return LIBMLG_NONE;
-  V_least /= p.x.V_unit;
-  V_top /= p.x.V_unit;
-  if (find_events(&p.x, V_least, V_top, &e, crossing) != 0)
-    return LIBMLG_UNSURE;
-  for (int i = -1; i < e.n; i++)
-    if (crossing[i + 1] == 0 && ratio_of(&p.x, 0.5 * (V_least + V_top), between(&e, i)) > zeta) {
-      if (n < most)
-        interval[n] = (struct libmlg_interval){
-          i < 0 ? zero : point_of(&p, &e.event[i].at, e.event[i].kind),
-          i + 1 == e.n ? infinite : point_of(&p, &e.event[i + 1].at, e.event[i + 1].kind),
-        };
-      n++;
-    }
-  return n;
+  points_and_intervals(&p, V_least, V_top, NULL, 0, &points, interval, most > 0 ? most : 1, &intervals);
+  return intervals;
+}
+
+void libmlg_points_and_intervals(int layout, const double par[], double zeta, double V_least, double V_top,
+                                 struct libmlg_point point[], int *points, struct libmlg_interval interval[], int *intervals)
+{
+  struct problem p;
+
+  *points = *intervals = problem(&p, layout, par, zeta);
+  if (*points == 0)
+    points_and_intervals(&p, V_least, V_top, point, MOST, points, interval, MOST, intervals);
 }
 
 double libmlg_damping_ratio(int layout, const double par[])
@@ -294,7 +306,7 @@ double libmlg_damping_ratio(int layout, const double par[])
 
   if (problem(&p, layout, par, 0.) != 0)
     return NAN;
-  return ratio_of(&p.x, p.par[PAR_V] / p.x.V_unit, p.par[PAR_C_D] / p.x.c_unit);
+  return crossing_ratio(&p.x, p.par[PAR_V] / p.x.V_unit, p.par[PAR_C_D] / p.x.c_unit);
 }
 
 int libmlg_diverges(int layout, const double par[])

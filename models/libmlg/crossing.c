@@ -116,10 +116,10 @@ static void quadratic(const struct crossing *x, double A[T], double B[T], double
 struct crossing crossing_of(const struct libmlg_layout *layout, const double par[], double zeta)
 {
   const struct gear_matrix g = gear_matrix(par, 0.);
-  struct crossing x = { .zeta = zeta, .squared = zeta == 0. };
+  struct crossing x = { .order = 0 };
   struct poly whole[2], minor[2];
   struct network Z[2];
-  double A[T], B[T], C[T], largest = 0.;
+  double largest = 0.;
 
   /* between the frequencies of the two modes; of l and k_d, k_psi */
   x.omega_unit = pow(fabs(par[PAR_K_DELTA] / g.A11.coefficient[2] * par[PAR_K_PSI] / g.A22.coefficient[2]), 0.25);
@@ -144,6 +144,16 @@ struct crossing crossing_of(const struct libmlg_layout *layout, const double par
       if (degree_of(x.F[v][k]) > x.order)
         x.order = degree_of(x.F[v][k]);
     }
+  return crossing_on(&x, zeta);
+}
+
+struct crossing crossing_on(const struct crossing *other, double zeta)
+{
+  struct crossing x = *other;
+  double A[T], B[T], C[T];
+
+  x.zeta = zeta;
+  x.squared = zeta == 0.;
   split(&x);
   quadratic(&x, A, B, C);
   x.degree = degree_of(A);
@@ -414,6 +424,20 @@ int crossing_roots(const struct crossing *x, double V, double c, double re[], do
   return n == 0 || companion_roots(p, n, re, im) != 0 ? -1 : n;
 }
 
+double crossing_ratio(const struct crossing *x, double V, double c)
+{
+  double re[T], im[T], least = 1.;
+  const int n = crossing_roots(x, V, c, re, im);
+
+  for (int i = 0; i < n; i++) {
+    const double size = hypot(re[i], im[i]);
+
+    if (size > 0.)
+      least = fmin(least, fabs(im[i]) > 0. || re[i] < 0. ? -re[i] / size : -1.);
+  }
+  return n < 0 ? NAN : least;
+}
+
 /* --- extrema ---------------------------------------------------------------------------- */
 
 int crossing_extremum_near(const struct crossing *x, struct crossing_at *p)
@@ -453,7 +477,19 @@ static int is_new(const struct crossing_at out[], int n, const struct crossing_a
   return 1;
 }
 
-/* Starts Newton's method from both roots c of G at t, real or nearly so. */
+static int add_extremum(const struct crossing *x, double t, double c, double V_least, double V_top,
+                        struct crossing_at out[], int n, int most)
+{
+  struct crossing_at p = { .t = t, .c = c };
+
+  if (n < most && isfinite(c) && c > 0. && crossing_extremum_near(x, &p) && p.c > c_least && p.c < c_most
+      && p.V > V_least && p.V < V_top && is_new(out, n, &p))
+    out[n++] = p;
+  return n;
+}
+
+/* Starts Newton's method from both roots c of G at t.  A small closed curve has its least
+ * and its largest c at one t, between them D is nearly 0: there from both sides. */
 static int add_extrema(const struct crossing *x, double t, double V_least, double V_top,
                        struct crossing_at out[], int n, int most)
 {
@@ -461,15 +497,21 @@ static int add_extrema(const struct crossing *x, double t, double V_least, doubl
   const double A = f0.alpha_c.p * f0.eta_c.p - f0.gamma_c.p * f0.beta_c.p;
   const double B = f0.alpha.p * f0.eta_c.p + f0.alpha_c.p * f0.eta.p - f0.gamma.p * f0.beta_c.p - f0.gamma_c.p * f0.beta.p;
   const double C = f0.alpha.p * f0.eta.p - f0.gamma.p * f0.beta.p;
-  const double D = B * B - 4. * A * C, q = -0.5 * (B + copysign(sqrt(fmax(D, 0.)), B));
-  const double root[2] = { q / A, C / q };
+  const double D = B * B - 4. * A * C, middle = -0.5 * B / A;
 
-  for (int k = 0; k < 2 && n < most; k++) {
-    struct crossing_at p = { .t = t, .c = D < 0. ? -0.5 * B / A : root[k] };
+  if (D > 0.) {
+    const double q = -0.5 * (B + copysign(sqrt(D), B));
 
-    if (isfinite(p.c) && p.c > 0. && crossing_extremum_near(x, &p) && p.c > c_least && p.c < c_most && p.V > V_least && p.V < V_top && is_new(out, n, &p))
-      out[n++] = p;
+    n = add_extremum(x, t, q / A, V_least, V_top, out, n, most);
+    n = add_extremum(x, t, C / q, V_least, V_top, out, n, most);
   }
+  if (fabs(D) < 1e-5 * B * B)
+    for (double away = 1e-2; away > 1e-7; away *= 0.1) {
+      n = add_extremum(x, t, middle * (1. + away), V_least, V_top, out, n, most);
+      n = add_extremum(x, t, middle * (1. - away), V_least, V_top, out, n, most);
+    }
+  else if (D < 0.)
+    n = add_extremum(x, t, middle, V_least, V_top, out, n, most);
   return n;
 }
 

@@ -37,6 +37,9 @@ struct crossing_at { double t, V, c; };
 /* F of the layout at par[] (AUTO's slots); its V and c_d do not matter. */
 struct crossing crossing_of(const struct libmlg_layout *layout, const double par[], double zeta);
 
+/* The same F on the ray of another damping ratio. */
+struct crossing crossing_on(const struct crossing *x, double zeta);
+
 /* The roots t > 0 of G at one c with V_least < V < V_top, at most CROSSING_TERMS;
  * returns their number. */
 int crossings_at_c(const struct crossing *x, double c, double V_least, double V_top,
@@ -68,5 +71,8 @@ double crossing_omega(const struct crossing *x, double t);
 /* The roots of F at one V and c (units of struct crossing) into re[], im[]; returns
  * their number, x->order or less where leading terms vanish, -1: LAPACK failed. */
 int crossing_roots(const struct crossing *x, double V, double c, double re[], double im[]);
+
+/* The least damping ratio of these roots, -1 with a positive real one; NaN: LAPACK failed. */
+double crossing_ratio(const struct crossing *x, double V, double c);
 
 #endif

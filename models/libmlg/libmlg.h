@@ -169,6 +169,47 @@ double libmlg_damping_ratio(int layout, const double par[]);
  * F(0) decides, which hangs on neither. */
 int libmlg_diverges(int layout, const double par[]);
 
+/* --- the best of a device ----------------------------------------------------------------- */
+
+/* The least damping ratio over V_least < V < V_top at the c_d of par[], and where it is.
+ * -1 with a positive real eigenvalue.  Exact: no crossing of a lesser ratio is left.
+ * Returns 0, LIBMLG_NONE, or LIBMLG_FAILED when LAPACK did. */
+struct libmlg_ratio { double zeta, c_d, V; };
+
+int libmlg_least_ratio(int layout, const double par[], double V_least, double V_top, struct libmlg_ratio *least);
+
+/* The c_d whose least ratio is largest, at the k_s and b of par[]: no c_d has a larger one,
+ * for at that ratio no interval of c_d is left.  V_least must be above 0, for as V goes to
+ * 0 the ratios of some gears do.  Returns as libmlg_least_ratio, or LIBMLG_UNSURE. */
+int libmlg_best_c_d(int layout, const double par[], double V_least, double V_top, struct libmlg_ratio *best);
+
+/* What ends the growth of the widest interval over k_s. */
+enum libmlg_limit {
+  LIBMLG_NO_INTERVAL, /* there is none at any k_s */
+  LIBMLG_ONSET,       /* beyond it a region is born inside the interval, at `third` */
+  LIBMLG_EQUAL_LO,    /* `third` has the c_d of lo and bounds the interval beyond */
+  LIBMLG_EQUAL_HI,    /* the same of hi */
+  LIBMLG_STATIONARY,  /* the width has a smooth maximum */
+  LIBMLG_RIGID,       /* the rigid spring is best */
+  LIBMLG_SOFT,        /* the softest spring that is looked at, 1e-6 k_psi, is best */
+  LIBMLG_UNBOUNDED    /* some interval has no upper end: there is no widest one */
+};
+
+struct libmlg_widest {
+  double k_s;                      /* N m/rad; INFINITY: rigid */
+  double width;                    /* N m s/rad */
+  struct libmlg_interval interval; /* at k_s, or a rounding error on the wider side of it */
+  struct libmlg_point third;       /* see enum libmlg_limit */
+  enum libmlg_limit limit;
+};
+
+/* The widest interval over k_s, from rigid to 1e-6 k_psi, at the b of par[].  A layout
+ * without k_s has one interval or more at k_s = infinity.  All k_s at which a boundary
+ * point is born or dies are found between the nodes of a grid of 1/k_s and bisected; two
+ * such events between neighbouring nodes that undo each other are not seen.  Returns 0,
+ * LIBMLG_NONE or LIBMLG_UNSURE. */
+int libmlg_widest(int layout, const double par[], double zeta, double V_least, double V_top, struct libmlg_widest *widest);
+
 #if defined __GNUC__
 #pragma GCC visibility pop
 #endif

@@ -1,0 +1,257 @@
+/* widest.c - the widest zero-shimmy interval over k_s
+ *
+ * Over the compliance 1/k_s the boundary points move smoothly but where one is born,
+ * dies or leaves the range of V.  These places are found by bisection on what there is;
+ * between them the width is smooth, or has a kink where another point takes over as a
+ * bound, and golden section finds its maximum.  What ends the growth there is then read
+ * off both sides of it.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "layout.h"
+
+enum { NODES = 64, MOST_NODES = 4 * NODES, MOST_INTERVALS = LIBMLG_MOST_POINTS };
+
+/* The softest spring, as u = 1 / (1 + k_s/k_psi); 0 is rigid. */
+static const double u_most = 1. / (1. + 1e-6);
+
+struct search {
+  int layout, k_s; /* number of that parameter */
+  double par[LIBMLG_MOST_PARAMETERS], k_psi, zeta, V_least, V_top;
+  int status;
+};
+
+/* What there is at one u: the widest interval, and a signature that changes with the
+ * number and kind of the intervals. */
+struct state {
+  double u, width;
+  unsigned long signature;
+  struct libmlg_interval widest;
+};
+
+static double k_s_of(const struct search *s, double u)
+{
+  return u > 0. ? s->k_psi * (1. / u - 1.) : INFINITY;
+}
+
+static struct state state_at(struct search *s, double u)
+{
+  struct libmlg_point point[LIBMLG_MOST_POINTS];
+  struct libmlg_interval interval[MOST_INTERVALS];
+  struct state here = { .u = u };
+  int points, intervals;
+
+  s->par[s->k_s] = k_s_of(s, u);
+  libmlg_points_and_intervals(s->layout, s->par, s->zeta, s->V_least, s->V_top, point, &points, interval, &intervals);
+  if (points < 0 || intervals < 0) {
+    s->status = LIBMLG_UNSURE;
+    here.signature = 1;
+    return here;
+  }
+  here.signature = (unsigned long)intervals;
+  for (int i = 0; i < intervals; i++) {
+    const double width = interval[i].hi.c_d - interval[i].lo.c_d;
+
+    here.signature = here.signature * 64 + (unsigned long)interval[i].lo.kind * 8 + (unsigned long)interval[i].hi.kind;
+    if (width > here.width) {
+      here.width = width;
+      here.widest = interval[i];
+    }
+  }
+  return here;
+}
+
+static int by_u(const void *a, const void *b)
+{
+  const double x = ((const struct state *)a)->u, y = ((const struct state *)b)->u;
+
+  return (x > y) - (x < y);
+}
+
+/* Between two states that differ: both sides of a place where they do. */
+static int add_change(struct search *s, struct state a, struct state b, struct state node[], int n)
+{
+  while (b.u - a.u > 1e-7 && n + 2 <= MOST_NODES) {
+    const struct state middle = state_at(s, 0.5 * (a.u + b.u));
+
+    if (middle.signature == a.signature)
+      a = middle;
+    else
+      b = middle;
+  }
+  node[n++] = a;
+  node[n++] = b;
+  return n;
+}
+
+/* The largest width from left to right, by golden section. */
+static struct state golden(struct search *s, struct state best, double left, double right)
+{
+  const double ratio = 0.6180339887498949;
+  struct state a = state_at(s, right - ratio * (right - left)), b = state_at(s, left + ratio * (right - left));
+
+  while (right - left > 1e-15 * (1. + right)) {
+    if (a.width > best.width)
+      best = a;
+    if (b.width > best.width)
+      best = b;
+    if (a.width > b.width || (!(b.width > a.width) && best.u < b.u)) {
+      right = b.u;
+      b = a;
+      a = state_at(s, right - ratio * (right - left));
+    } else {
+      left = a.u;
+      a = b;
+      b = state_at(s, left + ratio * (right - left));
+    }
+    if (!(a.u > left && b.u < right && a.u < b.u))
+      break;
+  }
+  return best;
+}
+
+/* Whether a boundary point goes on as the other one a small step of u away. */
+static int is_same(const struct libmlg_point *p, const struct libmlg_point *q)
+{
+  return p->kind == q->kind && (p->kind == LIBMLG_ENDS || (fabs(p->omega - q->omega) < 0.01 * p->omega
+                                                           && fabs(p->V - q->V) < 0.01 * (p->V + q->V)));
+}
+
+/* The region that is born inside the interval `whole` where the state is `cut`: the two
+ * points of it that lie nearest to each other. */
+static int newborn(struct search *s, const struct state *cut, const struct libmlg_interval *whole, struct libmlg_point *at)
+{
+  struct libmlg_point point[LIBMLG_MOST_POINTS];
+  struct libmlg_interval interval[MOST_INTERVALS];
+  int points, intervals;
+  double gap = INFINITY;
+
+  s->par[s->k_s] = k_s_of(s, cut->u);
+  libmlg_points_and_intervals(s->layout, s->par, s->zeta, s->V_least, s->V_top, point, &points, interval, &intervals);
+  for (int i = 0; i + 1 < points; i++) {
+    const struct libmlg_point *p = &point[i], *q = &point[i + 1];
+    const double apart = fabs(log(q->c_d / p->c_d)) + fabs(log(q->omega / p->omega));
+
+    if (p->kind == LIBMLG_LEAST && q->kind == LIBMLG_LARGEST && p->c_d > 0.9 * whole->lo.c_d
+        && q->c_d < 1.1 * whole->hi.c_d && apart < gap) {
+      gap = apart;
+      *at = *p;
+      at->c_d = sqrt(p->c_d * q->c_d);
+      at->V = 0.5 * (p->V + q->V);
+      at->omega = 0.5 * (p->omega + q->omega);
+    }
+  }
+  return isfinite(gap);
+}
+
+/* What limits the best state: `best` beside the states a little to both sides. */
+static void classify(struct search *s, const struct state *best, struct libmlg_widest *w)
+{
+  const double step = 1e-7;
+  struct state side[2];
+
+  if (best->u <= 0. || best->u >= u_most) {
+    w->limit = best->u <= 0. ? LIBMLG_RIGID : LIBMLG_SOFT;
+    return;
+  }
+  w->limit = LIBMLG_STATIONARY;
+  for (int k = 0; k < 2; k++) {
+    side[k] = state_at(s, best->u + (k ? step : -step));
+    if (side[k].width < 0.999 * best->width && newborn(s, &side[k], &best->widest, &w->third)) {
+      w->limit = LIBMLG_ONSET;
+      return;
+    }
+  }
+  if (!is_same(&side[0].widest.lo, &side[1].widest.lo)) {
+    w->limit = LIBMLG_EQUAL_LO;
+    w->third = side[is_same(&best->widest.lo, &side[0].widest.lo)].widest.lo;
+  } else if (!is_same(&side[0].widest.hi, &side[1].widest.hi)) {
+    w->limit = LIBMLG_EQUAL_HI;
+    w->third = side[is_same(&best->widest.hi, &side[0].widest.hi)].widest.hi;
+  }
+}
+
+/* The maximum of a smooth width lies where its slope is 0: differences of the exact width
+ * over steps in which it is a cubic to rounding. */
+static struct state stationary(struct search *s, struct state best)
+{
+  for (int i = 0; i < 4; i++) {
+    const double h = 1e-3 * fmin(best.u, 1. - best.u), h2 = 2. * h;
+    const double f[4] = { state_at(s, best.u - h2).width, state_at(s, best.u - h).width,
+                          state_at(s, best.u + h).width, state_at(s, best.u + h2).width };
+    const double slope = (8. * (f[2] - f[1]) - (f[3] - f[0])) / (12. * h);
+    const double bend = (16. * (f[2] + f[1]) - (f[3] + f[0]) - 30. * best.width) / (12. * h * h);
+    const struct state next = state_at(s, best.u - slope / bend);
+
+    if (!(bend < 0. && fabs(slope / bend) < h && next.width >= best.width * (1. - 1e-12)))
+      break;
+    best = next;
+  }
+  return best;
+}
+
+static int search_begin(struct search *s, int layout, const double par[], double zeta, double V_least, double V_top)
+{
+  const int n = libmlg_parameters();
+
+  if (!libmlg_find(layout))
+    return LIBMLG_NONE;
+  *s = (struct search){ .layout = layout, .k_s = libmlg_parameter("k_s"), .zeta = zeta, .V_least = V_least, .V_top = V_top };
+  memcpy(s->par, par, (size_t)n * sizeof *par);
+  s->k_psi = par[libmlg_parameter("k_psi")];
+  return 0;
+}
+
+int libmlg_widest(int layout, const double par[], double zeta, double V_least, double V_top, struct libmlg_widest *w)
+{
+  struct search s;
+  struct state node[MOST_NODES], best;
+  int n = 0, nodes;
+
+  *w = (struct libmlg_widest){ .limit = LIBMLG_NO_INTERVAL };
+  if (search_begin(&s, layout, par, zeta, V_least, V_top) != 0)
+    return LIBMLG_NONE;
+  nodes = libmlg_uses(layout, s.k_s) ? NODES : 0;
+  for (int i = 0; i <= nodes; i++) {
+    s.status = 0;
+    node[n] = state_at(&s, i * u_most / NODES);
+    if (s.status != 0) /* a place where two points are one is a single one */
+      node[n] = state_at(&s, (i + 1e-6 * (i < nodes ? 1. : -1.)) * u_most / NODES);
+    n++;
+  }
+  for (int i = 0; i < nodes; i++)
+    if (node[i].signature != node[i + 1].signature)
+      n = add_change(&s, node[i], node[i + 1], node, n);
+  qsort(node, (size_t)n, sizeof *node, by_u);
+  best = node[0];
+  for (int i = 1; i < n; i++)
+    if (node[i].width > best.width)
+      best = node[i];
+  if (!isfinite(best.width))
+    w->limit = LIBMLG_UNBOUNDED;
+  /* local maxima that may come to be the largest between their neighbours */
+  for (int i = 0; i < n && nodes > 0 && isfinite(best.width); i++) {
+    const int left = i > 0 ? i - 1 : i, right = i + 1 < n ? i + 1 : i;
+
+    if (node[i].width >= node[left].width && node[i].width >= node[right].width && node[i].width > 0.7 * best.width)
+      best = golden(&s, best.width > node[i].width ? best : node[i], node[left].u, node[right].u);
+  }
+  w->width = best.width;
+  w->interval = best.widest;
+  w->k_s = k_s_of(&s, best.u);
+  if (nodes == 0 || w->limit == LIBMLG_UNBOUNDED || !(best.width > 0.)) {
+    if (nodes == 0 && best.width > 0.)
+      w->limit = isfinite(best.width) ? LIBMLG_RIGID : LIBMLG_UNBOUNDED;
+    return 0;
+  }
+  classify(&s, &best, w);
+  if (w->limit == LIBMLG_STATIONARY) {
+    best = stationary(&s, best);
+    w->width = best.width;
+    w->interval = best.widest;
+    w->k_s = k_s_of(&s, best.u);
+  }
+  return 0;
+}
