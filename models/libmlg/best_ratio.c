@@ -57,8 +57,16 @@ static int least_ratio(const struct crossing *x, double c, double V_least, doubl
   return 0;
 }
 
-static void into_SI(const struct crossing *x, struct libmlg_ratio *r)
+/* V_least = 0 is a limit: there a root is 0. */
+static double above_0(double V_least, double V_top)
 {
+  return fmax(V_least, 1e-9 * V_top);
+}
+
+static void into_SI(const struct crossing *x, const double slots[], struct libmlg_ratio *r)
+{
+  r->k_s = slots[PAR_K_S];
+  r->b = slots[PAR_B];
   r->c_d *= x->c_unit;
   r->V *= x->V_unit;
 }
@@ -73,9 +81,10 @@ int libmlg_least_ratio(int layout, const double par[], double V_least, double V_
   if (!l)
     return LIBMLG_NONE;
   libmlg_slots(par, slots);
+  V_least = above_0(V_least, V_top);
   x = crossing_of(l, slots, 0.);
   status = least_ratio(&x, slots[PAR_C_D] / x.c_unit, V_least / x.V_unit, V_top / x.V_unit, least);
-  into_SI(&x, least);
+  into_SI(&x, slots, least);
   return status;
 }
 
@@ -97,8 +106,9 @@ int libmlg_best_c_d(int layout, const double par[], double V_least, double V_top
   if (!l)
     return LIBMLG_NONE;
   libmlg_slots(par, slots);
+  V_least = above_0(V_least, V_top);
   x = crossing_of(l, slots, 0.);
-  *best = (struct libmlg_ratio){ .zeta = -1., .c_d = slots[PAR_C_D], .V = V_least };
+  *best = (struct libmlg_ratio){ .zeta = -1., .c_d = slots[PAR_C_D], .V = V_least, .k_s = slots[PAR_K_S], .b = slots[PAR_B] };
   if (libmlg_diverges(layout, par))
     return 0;
   for (int step = 0; step < STEPS; step++) {
@@ -135,7 +145,7 @@ int libmlg_best_c_d(int layout, const double par[], double V_least, double V_top
           return LIBMLG_FAILED;
         if (r.zeta > best->zeta) {
           *best = r;
-          into_SI(&x, best);
+          into_SI(&x, slots, best);
         }
       }
     }
@@ -145,4 +155,95 @@ int libmlg_best_c_d(int layout, const double par[], double V_least, double V_top
       return 0;
   }
   return 0;
+}
+
+/* --- over k_s and b ------------------------------------------------------------------- */
+
+enum { NODES_K_S = 64, NODES_B = 33 };
+
+/* The place of a number between 0 and 1: u = 1 / (1 + k_s/k_psi), and of b in its range. */
+struct search {
+  int layout, k_s, b;
+  double par[LIBMLG_MOST_PARAMETERS], k_psi, b_least, b_most, V_least, V_top;
+  struct libmlg_ratio best;
+  int status;
+};
+
+static void place(struct search *s, double u, double v)
+{
+  if (libmlg_uses(s->layout, s->k_s) == 1)
+    s->par[s->k_s] = u > 0. ? s->k_psi * (1. / fmin(u, 1. - 1e-6) - 1.) : INFINITY;
+  if (libmlg_uses(s->layout, s->b) == 1)
+    s->par[s->b] = s->b_least + v * (s->b_most - s->b_least);
+}
+
+/* The best ratio there, when it is better than the best so far; 1: it was. */
+static int improve(struct search *s, double u, double v)
+{
+  struct libmlg_interval interval;
+  struct libmlg_ratio here;
+  int status;
+
+  place(s, u, v);
+  if (libmlg_intervals(s->layout, s->par, s->best.zeta, s->V_least, s->V_top, &interval, 1) == 0)
+    return 0;
+  status = libmlg_best_c_d(s->layout, s->par, s->V_least, s->V_top, &here);
+  if (status != 0)
+    s->status = status;
+  else if (here.zeta > s->best.zeta) {
+    s->best = here;
+    return 1;
+  }
+  return 0;
+}
+
+/* Finer and finer grids about the best place so far: its ridges have kinks and jumps, at
+ * which a search by slopes or sections would stop. */
+static void zoom(struct search *s, double u, double v, double half_u, double half_v)
+{
+  enum { AROUND = 5 };
+
+  while (half_u > 1e-10 || half_v > 1e-10) {
+    const double u_0 = u, v_0 = v, before = s->best.zeta;
+
+    for (int j = -AROUND; j <= AROUND; j++)
+      for (int i = -AROUND; i <= AROUND; i++) {
+        const double u_i = u_0 + half_u * i / AROUND, v_j = v_0 + half_v * j / AROUND;
+
+        if ((i != 0 && !(half_u > 0.)) || (j != 0 && !(half_v > 0.)) || u_i < 0. || u_i > 1. || v_j < 0. || v_j > 1.)
+          continue;
+        if (improve(s, u_i, v_j)) {
+          u = u_i;
+          v = v_j;
+        }
+      }
+    if (s->best.zeta > before * (1. + 1e-6)) /* the place moves on along a ridge */
+      continue;
+    half_u *= 0.5;
+    half_v *= 0.5;
+  }
+}
+
+int libmlg_best_damped(int layout, const double par[], double b_least, double b_most, double V_least, double V_top,
+                       struct libmlg_ratio *best)
+{
+  struct search s = { .layout = layout, .k_s = libmlg_parameter("k_s"), .b = libmlg_parameter("b"), .b_least = b_least,
+                      .b_most = b_most, .V_least = V_least, .V_top = V_top, .best.zeta = -1. };
+  double u = 0., v = 0.;
+
+  if (!libmlg_find(layout))
+    return LIBMLG_NONE;
+  memcpy(s.par, par, (size_t)libmlg_parameters() * sizeof *par);
+  s.k_psi = par[libmlg_parameter("k_psi")];
+  const int over_k_s = libmlg_uses(layout, s.k_s) == 1, over_b = libmlg_uses(layout, s.b) == 1 && b_most > b_least;
+
+  for (int j = 0; j < (over_b ? NODES_B : 1); j++)
+    for (int i = 0; i < (over_k_s ? NODES_K_S + 1 : 1); i++)
+      if (improve(&s, (double)i / NODES_K_S, (double)j / (NODES_B - 1))) {
+        u = (double)i / NODES_K_S;
+        v = (double)j / (NODES_B - 1);
+      }
+  zoom(&s, u, v, over_k_s ? 1. / NODES_K_S : 0., over_b ? 1. / (NODES_B - 1) : 0.);
+  *best = s.best;
+  return s.best.zeta > -1. ? 0 : s.status;
 }

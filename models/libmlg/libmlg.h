@@ -174,14 +174,21 @@ int libmlg_diverges(int layout, const double par[]);
 /* The least damping ratio over V_least < V < V_top at the c_d of par[], and where it is.
  * -1 with a positive real eigenvalue.  Exact: no crossing of a lesser ratio is left.
  * Returns 0, LIBMLG_NONE, or LIBMLG_FAILED when LAPACK did. */
-struct libmlg_ratio { double zeta, c_d, V; };
+struct libmlg_ratio { double zeta, c_d, V, k_s, b; };
 
 int libmlg_least_ratio(int layout, const double par[], double V_least, double V_top, struct libmlg_ratio *least);
 
 /* The c_d whose least ratio is largest, at the k_s and b of par[]: no c_d has a larger one,
- * for at that ratio no interval of c_d is left.  V_least must be above 0, for as V goes to
- * 0 the ratios of some gears do.  Returns as libmlg_least_ratio, or LIBMLG_UNSURE. */
+ * for at that ratio no interval of c_d is left.  Returns as libmlg_least_ratio, or
+ * LIBMLG_UNSURE. */
 int libmlg_best_c_d(int layout, const double par[], double V_least, double V_top, struct libmlg_ratio *best);
+
+/* The c_d, k_s and b of the largest least ratio: over all k_s from rigid to 1e-6 k_psi and
+ * b_least <= b <= b_most.  Exact in c_d; over k_s and b the best node of a grid of 64 by 33
+ * (at each: is there an interval of c_d at the best ratio so far?), then finer and finer
+ * grids about it, down to 1e-10 of the range.  Parameters the layout does not use stay. */
+int libmlg_best_damped(int layout, const double par[], double b_least, double b_most, double V_least, double V_top,
+                       struct libmlg_ratio *best);
 
 /* What ends the growth of the widest interval over k_s. */
 enum libmlg_limit {
