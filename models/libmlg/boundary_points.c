@@ -320,8 +320,3 @@ int libmlg_diverges(int layout, const double par[])
       return 1;
   return 0;
 }
-#ifdef DEBUG_EVENTS
-#include <stdio.h>
-void debug_events(int layout,const double par[],double zeta,double Vl,double Vt);
-void debug_events(int layout,const double par[],double zeta,double Vl,double Vt){ struct problem p; struct events e; int cr[MOST+1]; problem(&p,layout,par,zeta); e.n=0; memset(cr,0,sizeof cr); int r=find_events(&p.x,Vl/p.x.V_unit,Vt/p.x.V_unit,&e,cr); printf("r=%d deg=%d order=%d\n",r,p.x.degree,p.x.order); for(int i=-1;i<e.n;i++){ struct crossing_at at[64]; if(i>=0)printf("   %.12g V=%.8g t=%.12g kind %d jump %d\n",e.event[i].at.c*p.x.c_unit,e.event[i].at.V*p.x.V_unit,e.event[i].at.t,e.event[i].kind,e.event[i].jump); printf(" n=%d :",crossings_at_c(&p.x,between(&e,i),Vl/p.x.V_unit,Vt/p.x.V_unit,at)); int n=crossings_at_c(&p.x,between(&e,i),Vl/p.x.V_unit,Vt/p.x.V_unit,at); for(int k=0;k<n;k++)printf(" (V %.6g t %.8g)",at[k].V*p.x.V_unit,at[k].t); puts("");}}
-#endif

@@ -438,6 +438,98 @@ double crossing_ratio(const struct crossing *x, double V, double c)
   return n < 0 ? NAN : least;
 }
 
+/* --- along t ----------------------------------------------------------------------------- */
+
+double crossings_at_t(const struct crossing *x, double t, struct crossing_at out[2])
+{
+  const struct parts f = parts(x, t, 0.);
+  const double A = f.alpha_c.p * f.eta_c.p - f.gamma_c.p * f.beta_c.p;
+  const double B = f.alpha.p * f.eta_c.p + f.alpha_c.p * f.eta.p - f.gamma.p * f.beta_c.p - f.gamma_c.p * f.beta.p;
+  const double C = f.alpha.p * f.eta.p - f.gamma.p * f.beta.p;
+  const double D = B * B - 4. * A * C, root = sqrt(fmax(D, 0.));
+  const int big = B > 0.; /* which one is safe from cancellation */
+  const double q = big ? -B - root : -B + root;
+
+  out[big].c = q / (2. * A);
+  out[!big].c = 2. * C / q;
+  for (int k = 0; k < 2; k++) {
+    const struct parts at = parts(x, t, out[k].c);
+
+    out[k].t = t;
+    out[k].V = speed(&at);
+  }
+  return D;
+}
+
+/* Newton's method for G = G_c = 0 from t; the fold's t, or 0. */
+static double fold_near(const struct crossing *x, double t)
+{
+  struct crossing_at at[2];
+  double last = INFINITY, c;
+
+  crossings_at_t(x, t, at);
+  c = 0.5 * (at[0].c + at[1].c);
+  for (int i = 0; i < NEWTON_STEPS; i++) {
+    const struct parts f = parts(x, t, c);
+    const struct jet_of_G j = jet_of_G(&f);
+    const double cc = 2. * (f.alpha_c.p * f.eta_c.p - f.gamma_c.p * f.beta_c.p);
+    const double det = j.t * cc - j.c * j.tc;
+    const double dt = (j.G * cc - j.c * j.c) / det, dc = (j.t * j.c - j.G * j.tc) / det;
+    const double step = fabs(dt / t) + fabs(dc / c);
+
+    if (!(step < last) || step < 1e-15)
+      return last < 1e-9 || step < 1e-15 ? t : 0.;
+    last = i > 3 ? step : INFINITY;
+    t -= fabs(dt) < 0.1 * t ? dt : copysign(0.1 * t, dt);
+    c -= fabs(dc) < 0.5 * fabs(c) ? dc : copysign(0.5 * c, dc);
+  }
+  return 0.;
+}
+
+/* D in twice the terms of a crossing's polynomials. */
+int crossing_folds(const struct crossing *x, double t[])
+{
+  double A[T], B[T], C[T], D[2 * T] = { 0. }, re[2 * T], im[2 * T], H[4 * T * T] = { 0. }, scale[2 * T], work[16 * T];
+  lapack_int lo, hi;
+  int m, n = 0;
+
+  quadratic(x, A, B, C);
+  for (int i = 0; i < T; i++)
+    for (int j = 0; j < T; j++)
+      D[i + j] += B[i] * B[j] - 4. * A[i] * C[j];
+  for (m = 2 * T - 2; m > 0 && D[m] == 0.; m--)
+    ;
+  for (int i = 0; i < m; i++) {
+    if (i > 0)
+      H[(i - 1) * m + i] = 1.;
+    H[(m - 1) * m + i] = -D[i] / D[m];
+  }
+  LAPACKE_dgebal_work(LAPACK_COL_MAJOR, 'S', m, H, m, &lo, &hi, scale);
+  if (m == 0 || LAPACKE_dhseqr_work(LAPACK_COL_MAJOR, 'E', 'N', m, lo, hi, H, m, re, im, NULL, 1, work, 16 * T) != 0)
+    return 0;
+  for (int i = 0; i < m; i++)
+    if (re[i] > 0. && fabs(im[i]) <= 1e-2 * re[i]) {
+      const double fold = fold_near(x, re[i] + im[i]);
+      int known = !(fold > 0.) || fabs(fold / re[i] - 1.) > 0.1;
+
+      for (int k = 0; k < n && !known; k++)
+        known = fabs(t[k] / fold - 1.) < 1e-10;
+      if (!known)
+        t[n++] = fold;
+    }
+  return n;
+}
+
+double crossing_sine(const struct crossing *x, const struct crossing_at *p)
+{
+  const struct parts f = parts(x, p->t, p->c);
+  const double w = x->squared ? sqrt(p->t) : p->t; /* q of crossing.h */
+  const double a_t = f.alpha.d + f.gamma.d * p->V, b_t = w * (f.beta.d + f.eta.d * p->V);
+  const double a_V = f.gamma.p, b_V = w * f.eta.p;
+
+  return (a_t * b_V - b_t * a_V) / (hypot(a_t, b_t) * hypot(a_V, b_V));
+}
+
 /* --- extrema ---------------------------------------------------------------------------- */
 
 int crossing_extremum_near(const struct crossing *x, struct crossing_at *p)

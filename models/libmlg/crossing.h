@@ -48,6 +48,16 @@ int crossings_at_c(const struct crossing *x, double c, double V_least, double V_
 /* The same at one V, for c > 0. */
 int crossings_at_V(const struct crossing *x, double V, struct crossing_at out[]);
 
+/* Both roots c of G at one t, [0] with + sqrt(D), [1] with -, each with its V; D < 0: none
+ * is real and both are the real part.  Along t each goes on smoothly. */
+double crossings_at_t(const struct crossing *x, double t, struct crossing_at out[2]);
+
+/* The roots t > 0 of D: where the curves turn back in t, at most 2 CROSSING_TERMS. */
+int crossing_folds(const struct crossing *x, double t[]);
+
+/* Sine of the angle between F_omega and F_V, 0 where c has an extremum along the curve. */
+double crossing_sine(const struct crossing *x, const struct crossing_at *p);
+
 /* All extrema of c along the curves, with c > 0 and V_least < V < V_top; at most `most`
  * of them into out[], returns their number. */
 int crossing_extrema(const struct crossing *x, double V_least, double V_top,

@@ -217,6 +217,32 @@ struct libmlg_widest {
  * LIBMLG_NONE or LIBMLG_UNSURE. */
 int libmlg_widest(int layout, const double par[], double zeta, double V_least, double V_top, struct libmlg_widest *widest);
 
+/* --- Hopf curves as a whole ------------------------------------------------------------------ */
+
+/* The part of the (V, c_d) plane that is looked at, m/s and N m s/rad; all above 0. */
+struct libmlg_plane { double V_least, V_top, c_least, c_most; };
+
+/* A point of a curve; sine: of the angle between F_omega and F_V, 0 at an extremum of c_d. */
+struct libmlg_curve_point { double omega, V, c_d, sine; int root; };
+
+enum { LIBMLG_MOST_EXTREMA = 16 };
+
+/* A whole curve in the plane: open from edge to edge, closed from the fold of its lowest
+ * omega once round.  point[n], closer to each other towards its folds and edges. */
+struct libmlg_curve {
+  int closed, n;
+  struct libmlg_curve_point *point;
+  int extrema;                                       /* of c_d along it */
+  struct libmlg_point extremum[LIBMLG_MOST_EXTREMA]; /* in the order of the points */
+};
+
+/* All curves of the damping ratio zeta (0: Hopf curves), the open ones first; *curves is to
+ * go to libmlg_free_curves().  Returns their number, LIBMLG_NONE, LIBMLG_FAILED: out of
+ * memory. */
+int libmlg_curves(int layout, const double par[], double zeta, const struct libmlg_plane *plane,
+                  struct libmlg_curve **curves);
+void libmlg_free_curves(struct libmlg_curve *curves, int n);
+
 #if defined __GNUC__
 #pragma GCC visibility pop
 #endif

@@ -13,9 +13,11 @@
 #include "command.h"
 
 /* Each stands in scripts/mlg/NAME.c. */
+extern const struct command command_curves;
 extern const struct command command_eigenvalues;
 
 static const struct command *const commands[] = {
+  &command_curves,
   &command_eigenvalues,
 };
 
