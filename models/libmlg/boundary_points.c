@@ -22,9 +22,10 @@ struct events { struct event event[MOST]; int n; };
 
 static int by_c(const void *a, const void *b)
 {
-  const double x = ((const struct event *)a)->at.c, y = ((const struct event *)b)->at.c;
+  const struct event *x = a, *y = b;
+  const int order = (x->at.c > y->at.c) - (x->at.c < y->at.c);
 
-  return (x > y) - (x < y);
+  return order ? order : y->jump - x->jump; /* of two at one c the birth first */
 }
 
 static void add_edges(struct events *e, const struct crossing *x, double V, enum libmlg_kind kind)
@@ -127,9 +128,37 @@ static int add_between(struct events *e, const struct crossing *x, double V_leas
   if (!meeting(n_lo > n_hi ? lo : hi, n_lo > n_hi ? n_lo : n_hi, &at) || !crossing_extremum_near(x, &at))
     return 0;
   for (int i = 0; i < e->n; i++)
-    if (crossing_same(&e->event[i].at, &at))
+    if (crossing_same(x, &e->event[i].at, &at))
       return 0;
   add_extremum(e, x, &at);
+  return 1;
+}
+
+/* Extrema that lie within rounding of each other, where a region is just born or two meet,
+ * cannot be told apart nor named: of those around event i only what they do together
+ * remains, as one of them or none.  1: there were some. */
+static int merge_cluster(struct events *e, const struct crossing *x, double V_least, double V_top, int i)
+{
+  const double near_c = 1e-5, near_t = 1e-3;
+  struct crossing_at there[CROSSING_TERMS];
+  int first = i, last = i, change;
+
+#define NEAR(p, q) (fabs((p).c / (q).c - 1.) < near_c && fabs((p).t / (q).t - 1.) < near_t)
+  while (first > 0 && NEAR(e->event[first - 1].at, e->event[first].at))
+    first--;
+  while (last + 1 < e->n && NEAR(e->event[last + 1].at, e->event[last].at))
+    last++;
+#undef NEAR
+  change = crossings_at_c(x, between(e, last), V_least, V_top, there);
+  change -= crossings_at_c(x, between(e, first - 1), V_least, V_top, there);
+  if (abs(e->event[i].jump) != 2 || (change != 0 && abs(change) != 2) || (first == last && change != 0))
+    return 0;
+  if (change != 0) {
+    e->event[first].kind = change > 0 ? LIBMLG_LEAST : LIBMLG_LARGEST;
+    e->event[first++].jump = change;
+  }
+  memmove(&e->event[first], &e->event[last + 1], (size_t)(e->n - last - 1) * sizeof *e->event);
+  e->n -= last + 1 - first;
   return 1;
 }
 
@@ -140,7 +169,7 @@ static int find_events(const struct crossing *x, double V_least, double V_top, s
   const double narrow = 1e-7;
   struct crossing_at at[MOST];
   const int extrema = crossing_extrema(x, V_least, V_top, at, MOST - 2 * CROSSING_TERMS);
-  int misfit, found;
+  int misfit, found, rounds = 0;
 
   e->n = 0;
   if (extrema < 0)
@@ -167,7 +196,9 @@ static int find_events(const struct crossing *x, double V_least, double V_top, s
     for (double beside = 1e-6; misfit >= 0 && !found && beside < 0.1; beside *= 100.)
       found = add_between(e, x, V_least, V_top, between(e, misfit - 1), e->event[misfit].at.c * (1. - beside))
               || add_between(e, x, V_least, V_top, e->event[misfit].at.c * (1. + beside), between(e, misfit));
-  } while (found);
+    if (misfit >= 0 && !found)
+      found = merge_cluster(e, x, V_least, V_top, misfit);
+  } while (found && ++rounds < MOST);
   return misfit < 0 ? 0 : LIBMLG_UNSURE;
 }
 

@@ -10,8 +10,8 @@ enum { T = CROSSING_TERMS, MOST_SIZE = 4 * T, NEWTON_STEPS = 30 };
 
 /* What lies below or above these, in units of struct crossing, is 0 or infinite to
  * rounding: frequencies beyond a million times the gear's own, and a damper of less
- * than 1e-9 or more than 1e9 times the usual one. */
-static const double t_least = 1e-40, t_most = 1e12, c_least = 1e-9, c_most = 1e9;
+ * than 1e-7 or more than 1e9 times the usual one. */
+static const double t_least = 1e-40, t_most = 1e12, c_least = 1e-7, c_most = 1e9;
 
 /* --- F ----------------------------------------------------------------------------- */
 
@@ -556,15 +556,16 @@ int crossing_extremum_near(const struct crossing *x, struct crossing_at *p)
   return 0;
 }
 
-int crossing_same(const struct crossing_at *p, const struct crossing_at *q)
+int crossing_same(const struct crossing *x, const struct crossing_at *p, const struct crossing_at *q)
 {
-  return fabs(p->t / q->t - 1.) < 1e-9 && fabs(p->c / q->c - 1.) < 1e-7;
+  return fabs(p->t / q->t - 1.) < 1e-9 && fabs(p->c / q->c - 1.) < 1e-7
+         && (crossing_curvature(x, p) > 0.) == (crossing_curvature(x, q) > 0.);
 }
 
-static int is_new(const struct crossing_at out[], int n, const struct crossing_at *p)
+static int is_new(const struct crossing *x, const struct crossing_at out[], int n, const struct crossing_at *p)
 {
   for (int i = 0; i < n; i++)
-    if (crossing_same(&out[i], p))
+    if (crossing_same(x, &out[i], p))
       return 0;
   return 1;
 }
@@ -575,7 +576,7 @@ static int add_extremum(const struct crossing *x, double t, double c, double V_l
   struct crossing_at p = { .t = t, .c = c };
 
   if (n < most && isfinite(c) && c > 0. && crossing_extremum_near(x, &p) && p.c > c_least && p.c < c_most
-      && p.V > V_least && p.V < V_top && is_new(out, n, &p))
+      && p.V > V_least && p.V < V_top && is_new(x, out, n, &p))
     out[n++] = p;
   return n;
 }
@@ -598,7 +599,7 @@ static int add_extrema(const struct crossing *x, double t, double V_least, doubl
     n = add_extremum(x, t, C / q, V_least, V_top, out, n, most);
   }
   if (fabs(D) < 1e-5 * B * B)
-    for (double away = 1e-2; away > 1e-7; away *= 0.1) {
+    for (double away = 1e-2; away > 1e-10; away *= 0.1) {
       n = add_extremum(x, t, middle * (1. + away), V_least, V_top, out, n, most);
       n = add_extremum(x, t, middle * (1. - away), V_least, V_top, out, n, most);
     }

@@ -66,8 +66,9 @@ int crossing_extrema(const struct crossing *x, double V_least, double V_top,
 /* Newton's method for such an extremum from the t and c of *p; 1: *p is one, to rounding. */
 int crossing_extremum_near(const struct crossing *x, struct crossing_at *p);
 
-/* Whether two of them are one, found twice: beside an antiresonance c has 7 digits. */
-int crossing_same(const struct crossing_at *p, const struct crossing_at *q);
+/* Whether two of them are one, found twice: beside an antiresonance c has 7 digits.  A
+ * least and a largest c are two, however near. */
+int crossing_same(const struct crossing *x, const struct crossing_at *p, const struct crossing_at *q);
 
 /* Second derivative of c by t at an extremum: > 0 where c is least. */
 double crossing_curvature(const struct crossing *x, const struct crossing_at *p);

@@ -15,10 +15,20 @@
 /* Each stands in scripts/mlg/NAME.c. */
 extern const struct command command_curves;
 extern const struct command command_eigenvalues;
+extern const struct command command_hopf;
+extern const struct command command_intervals;
+extern const struct command command_points;
+extern const struct command command_regions;
+extern const struct command command_widest;
 
 static const struct command *const commands[] = {
   &command_curves,
   &command_eigenvalues,
+  &command_hopf,
+  &command_intervals,
+  &command_points,
+  &command_regions,
+  &command_widest,
 };
 
 enum { COMMANDS = sizeof commands / sizeof *commands };

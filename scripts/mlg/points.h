@@ -1,0 +1,16 @@
+/* points.h - how boundary points are named in tables */
+#ifndef MLG_POINTS_H
+#define MLG_POINTS_H
+
+#include "libmlg.h"
+
+/* "min", "max", "V_least", "V_top", "hopf", "none" (c_d of 0 or infinity) */
+const char *kind_name(enum libmlg_kind kind);
+
+/* "delta" or "psi", the larger amplitude */
+const char *shimmy_name(const struct libmlg_point *p);
+
+/* A number of points that libmlg returned; one that says an error ends the program. */
+int checked(const char *command, int n);
+
+#endif
