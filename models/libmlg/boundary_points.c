@@ -134,28 +134,53 @@ static int add_between(struct events *e, const struct crossing *x, double V_leas
   return 1;
 }
 
-/* Extrema that lie within rounding of each other, where a region is just born or two meet,
- * cannot be told apart nor named: of those around event i only what they do together
- * remains, as one of them or none.  1: there were some. */
+/* Below this c, in the units of struct crossing, c has few digits. */
+static const double nearly_no_damper = 1e-6;
+
+/* The event of a cluster that makes this change, or -1. */
+static int making(const struct events *e, int first, int last, int change)
+{
+  for (int i = first; i <= last; i++)
+    if (e->event[i].jump == change)
+      return i;
+  for (int i = first; i <= last; i++)
+    if (e->event[i].jump == -change)
+      return i;
+  return -1;
+}
+
+static int is_near(const struct crossing_at *p, const struct crossing_at *q)
+{
+  const double dc = fabs(p->c / q->c - 1.), dt = fabs(p->t / q->t - 1.);
+
+  return (dc < 1e-5 && dt < 1e-3) || (dc < 1e-3 && dt < 1e-6);
+}
+
+/* Events that lie within rounding of each other, where a region is just born, two meet or
+ * a curve touches the edge, cannot be told apart nor named: of those around event i only
+ * what they do together remains, as one of them or none.  1: there were some. */
 static int merge_cluster(struct events *e, const struct crossing *x, double V_least, double V_top, int i)
 {
-  const double near_c = 1e-5, near_t = 1e-3;
   struct crossing_at there[CROSSING_TERMS];
-  int first = i, last = i, change;
+  struct event whole;
+  int first = i, last = i, change, maker;
 
-#define NEAR(p, q) (fabs((p).c / (q).c - 1.) < near_c && fabs((p).t / (q).t - 1.) < near_t)
-  while (first > 0 && NEAR(e->event[first - 1].at, e->event[first].at))
+  while (first > 0 && is_near(&e->event[first - 1].at, &e->event[first].at))
     first--;
-  while (last + 1 < e->n && NEAR(e->event[last + 1].at, e->event[last].at))
+  while (last + 1 < e->n && is_near(&e->event[last + 1].at, &e->event[last].at))
     last++;
-#undef NEAR
   change = crossings_at_c(x, between(e, last), V_least, V_top, there);
   change -= crossings_at_c(x, between(e, first - 1), V_least, V_top, there);
-  if (abs(e->event[i].jump) != 2 || (change != 0 && abs(change) != 2) || (first == last && change != 0))
+  maker = change ? making(e, first, last, change) : -1;
+  if ((change != 0 && maker < 0)
+      || (first == last && (change != 0 || (abs(e->event[i].jump) != 2 && e->event[i].at.c > nearly_no_damper))))
     return 0;
   if (change != 0) {
-    e->event[first].kind = change > 0 ? LIBMLG_LEAST : LIBMLG_LARGEST;
-    e->event[first++].jump = change;
+    whole = e->event[maker];
+    if (whole.jump != change && abs(change) == 2)
+      whole.kind = change > 0 ? LIBMLG_LEAST : LIBMLG_LARGEST;
+    whole.jump = change;
+    e->event[first++] = whole;
   }
   memmove(&e->event[first], &e->event[last + 1], (size_t)(e->n - last - 1) * sizeof *e->event);
   e->n -= last + 1 - first;

@@ -19,7 +19,8 @@ struct region {
 
 struct job { const char *command; struct arguments a; };
 
-static void region_at(struct job *j, double compliance, struct region *r)
+/* 0, or LIBMLG_UNSURE: two points are within rounding of each other there. */
+static int look_at(struct job *j, double compliance, struct region *r)
 {
   struct libmlg_point point[LIBMLG_MOST_POINTS];
   int n;
@@ -27,10 +28,16 @@ static void region_at(struct job *j, double compliance, struct region *r)
   r->compliance = compliance;
   r->extrema = 0;
   j->a.par[NUMBER_K_S] = compliance > 0. ? 1e5 / compliance : INFINITY;
-  n = checked(j->command, libmlg_boundary_points(j->a.layout, j->a.par, 0., 0., j->a.V_top, point, LIBMLG_MOST_POINTS));
+  n = libmlg_boundary_points(j->a.layout, j->a.par, 0., 0., j->a.V_top, point, LIBMLG_MOST_POINTS);
+  r->n = libmlg_intervals(j->a.layout, j->a.par, 0., 0., j->a.V_top, r->interval, LIBMLG_MOST_POINTS);
   for (int i = 0; i < n; i++)
     r->extrema += point[i].kind == LIBMLG_LEAST || point[i].kind == LIBMLG_LARGEST;
-  r->n = checked(j->command, libmlg_intervals(j->a.layout, j->a.par, 0., 0., j->a.V_top, r->interval, LIBMLG_MOST_POINTS));
+  return n < 0 || r->n < 0 ? LIBMLG_UNSURE : 0;
+}
+
+static void region_at(struct job *j, double compliance, struct region *r)
+{
+  checked(j->command, look_at(j, compliance, r));
 }
 
 static void print_region(const struct job *j, const struct region *r)
@@ -43,15 +50,16 @@ static void print_region(const struct job *j, const struct region *r)
   }
 }
 
-/* The compliance between two at which their numbers of extrema or intervals change. */
-static double change(struct job *j, const struct region *from, double to, int of_extrema, double tolerance)
+/* The compliance between two at which their numbers of extrema change. */
+static double change(struct job *j, const struct region *from, double to, double tolerance)
 {
   struct region middle;
   double a = from->compliance, b = to;
 
   while (fabs(a - b) > tolerance * fabs(a)) {
-    region_at(j, 0.5 * (a + b), &middle);
-    if (of_extrema ? middle.extrema == from->extrema : middle.n == from->n)
+    if (look_at(j, 0.5 * (a + b), &middle) != 0)
+      break; /* as near as can be told */
+    if (middle.extrema == from->extrema)
       a = middle.compliance;
     else
       b = middle.compliance;
@@ -80,7 +88,7 @@ static int nodes_of(struct job *j, double softest, double node[MOST])
   for (int i = 1; i < grid && n + 2 <= MOST; i++) {
     region_at(j, node[i], &next);
     if (next.extrema != last.extrema) {
-      const double fold = change(j, &last, node[i], 1, 1e-13);
+      const double fold = change(j, &last, node[i], 1e-13);
 
       if (abs(next.extrema - last.extrema) > 1) /* one alone leaves the range of V */
         for (int side = -1; side <= 1; side += 2)
