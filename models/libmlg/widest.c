@@ -12,7 +12,7 @@
 
 #include "layout.h"
 
-enum { NODES = 64, MOST_NODES = 4 * NODES, MOST_INTERVALS = LIBMLG_MOST_POINTS };
+enum { NODES = 64, FINER = 8, MOST_NODES = 2 * FINER * NODES, MOST_INTERVALS = LIBMLG_MOST_POINTS };
 
 /* The softest spring, as u = 1 / (1 + k_s/k_psi); 0 is rigid. */
 static const double u_most = 1. / (1. + 1e-6);
@@ -24,7 +24,8 @@ struct search {
 };
 
 /* What there is at one u: the widest interval, and a signature that changes with the
- * number and kind of the intervals. */
+ * number and kind of the intervals.  Without an interval the width is below 0: by how
+ * much two regions overlap at least, so that a search finds where they part. */
 struct state {
   double u, width;
   unsigned long signature;
@@ -59,6 +60,12 @@ static struct state state_at(struct search *s, double u)
       here.width = width;
       here.widest = interval[i];
     }
+  }
+  if (intervals == 0) {
+    here.width = -INFINITY;
+    for (int i = 0; i + 1 < points; i++) /* the upper one begins before the lower ends */
+      if (point[i].kind == LIBMLG_LEAST && point[i + 1].kind == LIBMLG_LARGEST)
+        here.width = fmax(here.width, point[i].c_d - point[i + 1].c_d);
   }
   return here;
 }
@@ -119,57 +126,51 @@ static int is_same(const struct libmlg_point *p, const struct libmlg_point *q)
                                                            && fabs(p->V - q->V) < 0.01 * (p->V + q->V)));
 }
 
-/* The region that is born inside the interval `whole` where the state is `cut`: the two
- * points of it that lie nearest to each other. */
-static int newborn(struct search *s, const struct state *cut, const struct libmlg_interval *whole, struct libmlg_point *at)
+/* Of a region that bounds the interval beside the best one by its end p, lies the other end
+ * inside the best one too?  Then it is born there, at *at. */
+static int is_newborn(struct search *s, const struct state *beside, const struct libmlg_point *p,
+                      const struct libmlg_interval *best, struct libmlg_point *at)
 {
+  const enum libmlg_kind other = p->kind == LIBMLG_LEAST ? LIBMLG_LARGEST : LIBMLG_LEAST;
   struct libmlg_point point[LIBMLG_MOST_POINTS];
-  struct libmlg_interval interval[MOST_INTERVALS];
-  int points, intervals;
-  double gap = INFINITY;
+  int n;
 
-  s->par[s->k_s] = k_s_of(s, cut->u);
-  libmlg_points_and_intervals(s->layout, s->par, s->zeta, s->V_least, s->V_top, point, &points, interval, &intervals);
-  for (int i = 0; i + 1 < points; i++) {
-    const struct libmlg_point *p = &point[i], *q = &point[i + 1];
-    const double apart = fabs(log(q->c_d / p->c_d)) + fabs(log(q->omega / p->omega));
-
-    if (p->kind == LIBMLG_LEAST && q->kind == LIBMLG_LARGEST && p->c_d > 0.9 * whole->lo.c_d
-        && q->c_d < 1.1 * whole->hi.c_d && apart < gap) {
-      gap = apart;
+  s->par[s->k_s] = k_s_of(s, beside->u);
+  n = libmlg_boundary_points(s->layout, s->par, s->zeta, s->V_least, s->V_top, point, LIBMLG_MOST_POINTS);
+  for (int i = 0; i < n; i++)
+    if (point[i].kind == other && fabs(point[i].omega - p->omega) < 0.03 * p->omega && point[i].c_d >= best->lo.c_d
+        && point[i].c_d <= best->hi.c_d) {
       *at = *p;
-      at->c_d = sqrt(p->c_d * q->c_d);
-      at->V = 0.5 * (p->V + q->V);
-      at->omega = 0.5 * (p->omega + q->omega);
+      at->c_d = sqrt(p->c_d * point[i].c_d);
+      at->V = 0.5 * (p->V + point[i].V);
+      at->omega = 0.5 * (p->omega + point[i].omega);
+      return 1;
     }
-  }
-  return isfinite(gap);
+  return 0;
 }
 
-/* What limits the best state: `best` beside the states a little to both sides. */
+/* What limits the best state: what bounds the widest interval a little to both sides, where
+ * it is another one. */
 static void classify(struct search *s, const struct state *best, struct libmlg_widest *w)
 {
-  const double step = 1e-7;
-  struct state side[2];
+  const double step = 1e-8;
 
   if (best->u <= 0. || best->u >= u_most) {
     w->limit = best->u <= 0. ? LIBMLG_RIGID : LIBMLG_SOFT;
     return;
   }
   w->limit = LIBMLG_STATIONARY;
-  for (int k = 0; k < 2; k++) {
-    side[k] = state_at(s, best->u + (k ? step : -step));
-    if (side[k].width < 0.999 * best->width && newborn(s, &side[k], &best->widest, &w->third)) {
+  for (int k = 0; k < 2 && w->limit == LIBMLG_STATIONARY; k++) {
+    const struct state side = state_at(s, best->u + (k ? step : -step));
+    const int below = !is_same(&side.widest.lo, &best->widest.lo), above = !is_same(&side.widest.hi, &best->widest.hi);
+
+    if (!(side.width > 0.) || (!below && !above))
+      continue;
+    w->third = below ? side.widest.lo : side.widest.hi;
+    if (is_newborn(s, &side, &w->third, &best->widest, &w->third))
       w->limit = LIBMLG_ONSET;
-      return;
-    }
-  }
-  if (!is_same(&side[0].widest.lo, &side[1].widest.lo)) {
-    w->limit = LIBMLG_EQUAL_LO;
-    w->third = side[is_same(&best->widest.lo, &side[0].widest.lo)].widest.lo;
-  } else if (!is_same(&side[0].widest.hi, &side[1].widest.hi)) {
-    w->limit = LIBMLG_EQUAL_HI;
-    w->third = side[is_same(&best->widest.hi, &side[0].widest.hi)].widest.hi;
+    else
+      w->limit = below ? LIBMLG_EQUAL_LO : LIBMLG_EQUAL_HI;
   }
 }
 
@@ -221,7 +222,12 @@ int libmlg_widest(int layout, const double par[], double zeta, double V_least, d
       node[n] = state_at(&s, (i + 1e-6 * (i < nodes ? 1. : -1.)) * u_most / NODES);
     n++;
   }
-  for (int i = 0; i < nodes; i++)
+  for (int i = 0; i < nodes; i++) /* where two regions nearly part, more closely */
+    for (int k = 1; k < FINER && !(node[i].width > 0.) && !(node[i + 1].width > 0.)
+                    && (node[i].width > -INFINITY || node[i + 1].width > -INFINITY); k++)
+      node[n++] = state_at(&s, node[i].u + (node[i + 1].u - node[i].u) * k / FINER);
+  qsort(node, (size_t)n, sizeof *node, by_u);
+  for (int i = 0, first = n; i + 1 < first; i++)
     if (node[i].signature != node[i + 1].signature)
       n = add_change(&s, node[i], node[i + 1], node, n);
   qsort(node, (size_t)n, sizeof *node, by_u);
@@ -235,10 +241,11 @@ int libmlg_widest(int layout, const double par[], double zeta, double V_least, d
   for (int i = 0; i < n && nodes > 0 && isfinite(best.width); i++) {
     const int left = i > 0 ? i - 1 : i, right = i + 1 < n ? i + 1 : i;
 
-    if (node[i].width >= node[left].width && node[i].width >= node[right].width && node[i].width > 0.7 * best.width)
+    if (node[i].width >= node[left].width && node[i].width >= node[right].width
+        && node[i].width > (best.width > 0. ? 0.7 * best.width : -INFINITY))
       best = golden(&s, best.width > node[i].width ? best : node[i], node[left].u, node[right].u);
   }
-  w->width = best.width;
+  w->width = fmax(0., best.width);
   w->interval = best.widest;
   w->k_s = k_s_of(&s, best.u);
   if (nodes == 0 || w->limit == LIBMLG_UNBOUNDED || !(best.width > 0.)) {

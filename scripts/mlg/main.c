@@ -17,6 +17,7 @@ extern const struct command command_curves;
 extern const struct command command_eigenvalues;
 extern const struct command command_hopf;
 extern const struct command command_intervals;
+extern const struct command command_limits;
 extern const struct command command_points;
 extern const struct command command_regions;
 extern const struct command command_widest;
@@ -26,6 +27,7 @@ static const struct command *const commands[] = {
   &command_eigenvalues,
   &command_hopf,
   &command_intervals,
+  &command_limits,
   &command_points,
   &command_regions,
   &command_widest,

@@ -10,6 +10,9 @@ const char *kind_name(enum libmlg_kind kind);
 /* "delta" or "psi", the larger amplitude */
 const char *shimmy_name(const struct libmlg_point *p);
 
+/* "onset", "equal", ...: see `mlg help widest` */
+const char *limit_name(enum libmlg_limit limit);
+
 /* A number of points that libmlg returned; one that says an error ends the program. */
 int checked(const char *command, int n);
 
