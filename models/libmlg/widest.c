@@ -6,6 +6,7 @@
  * bound, and golden section finds its maximum.  What ends the growth there is then read
  * off both sides of it.
  */
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -186,7 +187,7 @@ static struct state stationary(struct search *s, struct state best)
     const double bend = (16. * (f[2] + f[1]) - (f[3] + f[0]) - 30. * best.width) / (12. * h * h);
     const struct state next = state_at(s, best.u - slope / bend);
 
-    if (!(bend < 0. && fabs(slope / bend) < h && next.width >= best.width * (1. - 1e-12)))
+    if (!(bend < 0. && fabs(slope / bend) < h && next.width >= best.width * (1. - 1e-9)))
       break;
     best = next;
   }
@@ -235,10 +236,10 @@ int libmlg_widest(int layout, const double par[], double zeta, double V_least, d
   for (int i = 1; i < n; i++)
     if (node[i].width > best.width)
       best = node[i];
-  if (!isfinite(best.width))
+  if (best.width > DBL_MAX)
     w->limit = LIBMLG_UNBOUNDED;
   /* local maxima that may come to be the largest between their neighbours */
-  for (int i = 0; i < n && nodes > 0 && isfinite(best.width); i++) {
+  for (int i = 0; i < n && nodes > 0 && !(best.width > DBL_MAX); i++) {
     const int left = i > 0 ? i - 1 : i, right = i + 1 < n ? i + 1 : i;
 
     if (node[i].width >= node[left].width && node[i].width >= node[right].width
@@ -250,7 +251,7 @@ int libmlg_widest(int layout, const double par[], double zeta, double V_least, d
   w->k_s = k_s_of(&s, best.u);
   if (nodes == 0 || w->limit == LIBMLG_UNBOUNDED || !(best.width > 0.)) {
     if (nodes == 0 && best.width > 0.)
-      w->limit = isfinite(best.width) ? LIBMLG_RIGID : LIBMLG_UNBOUNDED;
+      w->limit = best.width > DBL_MAX ? LIBMLG_UNBOUNDED : LIBMLG_RIGID;
     return 0;
   }
   classify(&s, &best, w);

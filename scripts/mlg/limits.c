@@ -46,7 +46,7 @@ static int goes_on(const struct libmlg_widest *p, const struct libmlg_widest *q)
 {
   if (p->limit != q->limit)
     return 0;
-  if (p->limit == LIBMLG_NO_INTERVAL)
+  if (p->limit == LIBMLG_NO_INTERVAL || p->limit == LIBMLG_UNBOUNDED)
     return 1;
   if (!is_near(&p->interval.hi, &q->interval.hi))
     return 0;
