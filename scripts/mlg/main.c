@@ -13,10 +13,12 @@
 #include "command.h"
 
 /* Each stands in scripts/mlg/NAME.c. */
-extern const struct command command_eigenvalues;
+extern const struct command command_eigenvalues, command_damping, command_transients, command_criticality;
+extern const struct command command_simulate, command_search, command_draw, command_gear;
 
 static const struct command *const commands[] = {
-  &command_eigenvalues,
+  &command_eigenvalues, &command_damping, &command_transients, &command_criticality,
+  &command_simulate, &command_search, &command_draw, &command_gear,
 };
 
 enum { COMMANDS = sizeof commands / sizeof *commands };
