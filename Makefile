@@ -70,16 +70,26 @@ build/auto.mk: always
 whole = $(1) -o $@.$$$$ && mv $@.$$$$ $@
 compiled = $(call whole,$(1) -MMD -MP -MT $@ -MF $(basename $@).d)
 
+# What is the same for every layout is compiled once: gear.c, and boundary.c.
+auto_cc = $(CC) $(CFLAGS) -isystem $(AUTO_INCLUDE) -c
+
+build/models/gear.o: models/gear.c Makefile
+	@mkdir -p $(@D)
+	@$(call compiled,$(CC) $(CFLAGS) -fPIC -fvisibility=hidden -c $<)
+
+build/models/boundary.o: models/boundary.c build/auto.mk Makefile
+	@mkdir -p $(@D)
+	@$(call compiled,$(auto_cc) -fcx-limited-range $<)
+
 build/models/%.o: models/%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> build/models/$*.exe"
-	@$(call compiled,$(CC) $(CFLAGS) -isystem $(AUTO_INCLUDE) -c $<)
+	@$(call compiled,$(auto_cc) -DMLG_APART $<)
 
-# the algebraic problem of boundary.h around the same device; -O3 halves its time,
-# which is sums and products of polynomials
-build/models/%.boundary.o: models/%.c build/auto.mk Makefile
+# the device alone, for the algebraic problem of boundary.h
+build/models/%.device.o: models/%.c Makefile
 	@mkdir -p $(@D)
-	@$(call compiled,$(CC) $(CFLAGS) -O3 -fcx-limited-range -DMLG_BOUNDARY -isystem $(AUTO_INCLUDE) -c $<)
+	@$(call compiled,$(CC) $(CFLAGS) -DMLG_BOUNDARY -c $<)
 
 # programs that need no AUTO, around the same device
 define tool_rule
@@ -93,8 +103,11 @@ $(foreach tool,scan curves,$(eval $(call tool_rule,$(tool))))
 sections: $(models) ## what follows past the torus points of Figure 6 (docs/simulate.md)
 	@scripts/sections.sh
 
-build/models/%.exe: build/models/%.o
-	@$(call whole,$(AUTO_FC) $< $(AUTO_LINK))
+build/models/%.boundary.exe: build/models/%.device.o build/models/boundary.o
+	@$(call whole,$(AUTO_FC) $^ $(AUTO_LINK))
+
+build/models/%.exe: build/models/%.o build/models/gear.o
+	@$(call whole,$(AUTO_FC) $^ $(AUTO_LINK))
 
 build/bin/constants: scripts/constants.c build/lib/libmlg.a Makefile
 	@mkdir -p $(@D)
@@ -123,13 +136,13 @@ $(library_parts): build/libmlg/%.o: models/libmlg/%.c build/libmlg/layouts.h Mak
 
 $(library_layouts): build/libmlg/layout-%.o: models/libmlg/layout.c models/%.c Makefile
 	@mkdir -p $(@D)
-	@$(call compiled,$(library_cc) -DLAYOUT='"$*.c"' -DNAME=$* $<)
+	@$(call compiled,$(library_cc) -DMLG_APART -DLAYOUT='"$*.c"' -DNAME=$* $<)
 
-build/lib/libmlg.a: $(library_parts) $(library_layouts)
+build/lib/libmlg.a: $(library_parts) $(library_layouts) build/models/gear.o
 	@mkdir -p $(@D)
 	@$(AR) rcs $@.$$$$ $^ && mv $@.$$$$ $@
 
-build/lib/libmlg.so: $(library_parts) $(library_layouts)
+build/lib/libmlg.so: $(library_parts) $(library_layouts) build/models/gear.o
 	@mkdir -p $(@D)
 	@$(call whole,$(CC) -shared $^ $(numerics))
 
@@ -282,9 +295,13 @@ $(filter-out build/tests/libmlg/layout-%,$(checked_library)): build/tests/libmlg
 
 $(layouts:%=build/tests/libmlg/layout-%.o): build/tests/libmlg/layout-%.o: models/libmlg/layout.c models/%.c Makefile
 	@mkdir -p $(@D)
-	@$(call compiled,$(checked_cc) -DLAYOUT='"$*.c"' -DNAME=$* $<)
+	@$(call compiled,$(checked_cc) -DMLG_APART -DLAYOUT='"$*.c"' -DNAME=$* $<)
 
-build/tests/libmlg.a: $(checked_library)
+build/tests/libmlg/gear.o: models/gear.c Makefile
+	@mkdir -p $(@D)
+	@$(call compiled,$(checked_cc) $<)
+
+build/tests/libmlg.a: $(checked_library) build/tests/libmlg/gear.o
 	@$(AR) rcs $@.$$$$ $^ && mv $@.$$$$ $@
 
 build/tests/integrate build/tests/criticality build/tests/fuzz: with = build/tests/libmlg.a $(lapack) $(sundials)

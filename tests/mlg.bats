@@ -23,6 +23,7 @@ refuses() {
   run -2 --separate-stderr mlg "${@:2}"
   # shellcheck disable=SC2154 # set by run
   [ -z "$output" ]
+  # shellcheck disable=SC2154 # set by run
   [ "$stderr" = "$1" ] || { echo "$stderr" && return 1; }
 }
 
