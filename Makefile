@@ -22,9 +22,9 @@ $(error models/$(firstword $(misnamed)).c: the name of a layout has letters, dig
 endif
 models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.exe) \
           $(layouts:%=build/bin/scan-%) $(layouts:%=build/bin/curves-%) build/bin/constants build/bin/mlg
-damped := damping transients
-integrating := simulate search
-sundials = -lsundials_cvode -lsundials_nvecserial
+# SUNDIALS 7 has a library of its own for what all its parts share
+sundials = -lsundials_cvode -lsundials_nvecserial \
+           $(if $(findstring /,$(shell $(CC) -print-file-name=libsundials_core.so)),-lsundials_core)
 lapack = -llapacke -llapack
 numerics = $(lapack) $(sundials) -lm
 runs := $(patsubst constants/c.l1.%,%,$(wildcard constants/c.l1.*))
@@ -54,9 +54,9 @@ setup: build/auto.mk ## packages and AUTO only
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
-need_test_packages := bench sections test% check-scripts certify% verify $(damped) $(foreach study,$(damped),$(study).% build/bin/$(study)-%) $(integrating) $(integrating:%=build/bin/%-%)
+need_test_packages := bench test% check-scripts certify% verify build/bin/eigen-%
 auto_given := $(AUTO_DIR)
-ifneq ($(filter-out help clean distclean libmlg build/lib/% drawings docs/drawings/%,$(goals)),)
+ifneq ($(filter-out help clean distclean libmlg build/lib/% build/bin/mlg drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
 unexport AUTO_DIR
 endif
@@ -70,16 +70,26 @@ build/auto.mk: always
 whole = $(1) -o $@.$$$$ && mv $@.$$$$ $@
 compiled = $(call whole,$(1) -MMD -MP -MT $@ -MF $(basename $@).d)
 
+# What is the same for every layout is compiled once: gear.c, and boundary.c.
+auto_cc = $(CC) $(CFLAGS) -isystem $(AUTO_INCLUDE) -c
+
+build/models/gear.o: models/gear.c Makefile
+	@mkdir -p $(@D)
+	@$(call compiled,$(CC) $(CFLAGS) -fPIC -fvisibility=hidden -c $<)
+
+build/models/boundary.o: models/boundary.c build/auto.mk Makefile
+	@mkdir -p $(@D)
+	@$(call compiled,$(auto_cc) -fcx-limited-range $<)
+
 build/models/%.o: models/%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> build/models/$*.exe"
-	@$(call compiled,$(CC) $(CFLAGS) -isystem $(AUTO_INCLUDE) -c $<)
+	@$(call compiled,$(auto_cc) -DMLG_APART $<)
 
-# the algebraic problem of boundary.h around the same device; -O3 halves its time,
-# which is sums and products of polynomials
-build/models/%.boundary.o: models/%.c build/auto.mk Makefile
+# the device alone, for the algebraic problem of boundary.h
+build/models/%.device.o: models/%.c Makefile
 	@mkdir -p $(@D)
-	@$(call compiled,$(CC) $(CFLAGS) -O3 -fcx-limited-range -DMLG_BOUNDARY -isystem $(AUTO_INCLUDE) -c $<)
+	@$(call compiled,$(CC) $(CFLAGS) -DMLG_BOUNDARY -c $<)
 
 # programs that need no AUTO, around the same device
 define tool_rule
@@ -87,27 +97,17 @@ build/bin/$(1)-%: scripts/$(1).c models/%.c Makefile
 	@mkdir -p $$(@D)
 	@$$(call compiled,$$(CC) $$(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$$*.c"' $$< $(2) -lm)
 endef
-$(foreach tool,scan curves draw,$(eval $(call tool_rule,$(tool))))
+$(foreach tool,scan curves,$(eval $(call tool_rule,$(tool))))
 
-# programs on scripts/damping.h
-$(eval $(call tool_rule,damping,$(lapack)))
-$(eval $(call tool_rule,transients,$(lapack) $(sundials)))
-
-# programs on scripts/integrate.h
-$(foreach tool,$(integrating),$(eval $(call tool_rule,$(tool),$(sundials))))
-
-.PHONY: simulate sections
-sections: simulate $(models) ## what follows past the torus points of Figure 6 (docs/simulate.md)
+.PHONY: sections
+sections: $(models) ## what follows past the torus points of Figure 6 (docs/simulate.md)
 	@scripts/sections.sh
 
-simulate: $(layouts:%=build/bin/simulate-%) ## layouts in time from any start, build/bin/simulate-* (docs/simulate.md)
+build/models/%.boundary.exe: build/models/%.device.o build/models/boundary.o
+	@$(call whole,$(AUTO_FC) $^ $(AUTO_LINK))
 
-build/models/%.exe: build/models/%.o
-	@$(call whole,$(AUTO_FC) $< $(AUTO_LINK))
-
-build/bin/gear: scripts/gear.c Makefile
-	@mkdir -p $(@D)
-	@$(call compiled,$(CC) $(CFLAGS) $< -lm)
+build/models/%.exe: build/models/%.o build/models/gear.o
+	@$(call whole,$(AUTO_FC) $^ $(AUTO_LINK))
 
 build/bin/constants: scripts/constants.c build/lib/libmlg.a Makefile
 	@mkdir -p $(@D)
@@ -136,28 +136,35 @@ $(library_parts): build/libmlg/%.o: models/libmlg/%.c build/libmlg/layouts.h Mak
 
 $(library_layouts): build/libmlg/layout-%.o: models/libmlg/layout.c models/%.c Makefile
 	@mkdir -p $(@D)
-	@$(call compiled,$(library_cc) -DLAYOUT='"$*.c"' -DNAME=$* $<)
+	@$(call compiled,$(library_cc) -DMLG_APART -DLAYOUT='"$*.c"' -DNAME=$* $<)
 
-build/lib/libmlg.a: $(library_parts) $(library_layouts)
+build/lib/libmlg.a: $(library_parts) $(library_layouts) build/models/gear.o
 	@mkdir -p $(@D)
 	@$(AR) rcs $@.$$$$ $^ && mv $@.$$$$ $@
 
-build/lib/libmlg.so: $(library_parts) $(library_layouts)
+build/lib/libmlg.so: $(library_parts) $(library_layouts) build/models/gear.o
 	@mkdir -p $(@D)
 	@$(call whole,$(CC) -shared $^ $(numerics))
 
 # --- mlg: the one command on it ------------------------------------------------
-mlg_parts := $(patsubst scripts/mlg/%.c,build/mlg/%.o,$(wildcard scripts/mlg/*.c))
+mlg_parts := $(patsubst scripts/mlg/%.c,build/mlg/%.o,$(filter-out %/drawn.c,$(wildcard scripts/mlg/*.c)))
+mlg_drawn := $(layouts:%=build/mlg/drawn-%.o)
+mlg_cc = $(CC) $(CFLAGS) -Imodels -Imodels/libmlg -Ibuild/libmlg -c
 
-$(mlg_parts): build/mlg/%.o: scripts/mlg/%.c Makefile
+$(mlg_parts): build/mlg/%.o: scripts/mlg/%.c build/libmlg/layouts.h Makefile
 	@mkdir -p $(@D)
-	@$(call compiled,$(CC) $(CFLAGS) -Imodels -Imodels/libmlg -Iscripts/mlg -c $<)
+	@$(call compiled,$(mlg_cc) $<)
 
-build/bin/mlg: $(mlg_parts) build/lib/libmlg.a
+# a tree of names, for which any optimisation is too much
+$(mlg_drawn): build/mlg/drawn-%.o: scripts/mlg/drawn.c models/%.c Makefile
+	@mkdir -p $(@D)
+	@$(call compiled,$(mlg_cc) -O0 -DLAYOUT='"$*.c"' -DNAME=$* $<)
+
+build/bin/mlg: $(mlg_parts) $(mlg_drawn) build/lib/libmlg.a
 	@mkdir -p $(@D)
 	@$(call whole,$(CC) $^ $(numerics))
 
--include $(wildcard build/models/*.d build/libmlg/*.d build/mlg/*.d build/bin/*.d build/tests/*.d)
+-include $(wildcard build/models/*.d build/libmlg/*.d build/mlg/*.d build/bin/*.d build/tests/*.d build/tests/libmlg/*.d)
 .SECONDARY:
 
 # --- figures: runs side by side, then tables, then the picture ---------------
@@ -179,7 +186,7 @@ parts_damping := planes search
 parts_transients := paper best
 parts_layouts := li3 li4 li5
 parts_certify := l1 l2 li1 li2
-studies := $(damped) layouts certify
+studies := damping transients layouts certify
 
 define figure_rules
 .PHONY: $(1) $(1).tables $(parts_$(1):%=$(1).%)
@@ -199,9 +206,8 @@ fig07.torus_psi_up fig07.torus_psi_down fig07.torus_delta filmstrip.orbits: fig0
 # its diagram (a) is one of Figure 9
 fig10: fig09.tables
 
-$(parts_damping:%=damping.%): $(layouts:%=build/bin/damping-%)
-$(parts_transients:%=transients.%): damping.tables $(layouts:%=build/bin/transients-%)
-$(parts_certify:%=certify.%): $(foreach tool,eigen search,$(layouts:%=build/bin/$(tool)-%))
+$(parts_transients:%=transients.%): damping.tables
+$(parts_certify:%=certify.%): $(layouts:%=build/bin/eigen-%)
 
 # what the figures share, of those asked for
 asked := $(filter $(figures) $(studies),$(goals))
@@ -227,13 +233,13 @@ certify: ## do oscillations reach into the zero-shimmy regions? (docs/certificat
 # --- drawings of the gear and of each layout, docs/drawings ------------------
 drawings: $(layouts:%=docs/drawings/%.svg) docs/drawings/gear.svg ## docs/drawings: the gear and each layout's device
 
-docs/drawings/gear.svg: build/bin/gear
+docs/drawings/gear.svg: build/bin/mlg
 	@mkdir -p $(@D)
-	@$< > build/$(@F) && mv build/$(@F) $@
+	@$< gear > build/$(@F) && mv build/$(@F) $@
 
-docs/drawings/%.svg: build/bin/draw-%
+docs/drawings/%.svg: build/bin/mlg models/%.c
 	@mkdir -p $(@D)
-	@$< > build/$(@F) && mv build/$(@F) $@
+	@$< draw $* > build/$(@F) && mv build/$(@F) $@
 
 # --- tests -----------------------------------------------------------------
 # One program for each tests/test_*.c; of test_layout.c one for each layout, and
@@ -242,15 +248,13 @@ docs/drawings/%.svg: build/bin/draw-%
 tests := $(filter-out build/tests/layout,$(patsubst tests/test_%.c,build/tests/%,$(wildcard tests/test_*.c)))
 layout_tests := $(layouts:%=build/tests/layout-%)
 oracles := $(layouts:%=build/bin/eigen-%)
-to_test = -Imodels -Imodels/libmlg -Iscripts
+to_test = -Imodels -Imodels/libmlg -Ibuild/libmlg -Iscripts
 to_test_layout = $(to_test) -D_DEFAULT_SOURCE -isystem $(AUTO_INCLUDE) -DLAYOUT='"$*.c"'
 
 test: test-programs ## every test; tests/run.sh runs some of them
 	@tests/run.sh
 
-test-programs: $(models) $(libraries) $(tests) $(layout_tests) $(oracles) \
-               $(foreach tool,draw $(damped),$(layouts:%=build/bin/$(tool)-%)) build/bin/gear \
-               $(foreach tool,$(integrating),$(layouts:%=build/bin/$(tool)-%))
+test-programs: $(models) $(libraries) $(tests) $(layout_tests) $(oracles)
 
 check-pages: page ## the page in headless Chromium, at the widths of a phone and of a desk
 	@scripts/setup.sh pages
@@ -281,15 +285,32 @@ $(tests): build/tests/%: tests/test_%.c build/auto.mk Makefile
 	@echo "  $< -> $@"
 	@$(call compiled,$(CC) $(TEST_CFLAGS) $(to_test) $< -lcmocka $(with) -lm)
 
-build/tests/integrate: with = $(sundials)
-build/tests/criticality: with = $(lapack)
-build/tests/fuzz: with = build/lib/libmlg.a
-build/tests/fuzz: build/lib/libmlg.a
+# the library once more, to catch what it does wrong
+checked_library := $(patsubst build/libmlg/%,build/tests/libmlg/%,$(library_parts) $(library_layouts))
+checked_cc = $(CC) $(TEST_CFLAGS) -Imodels -Imodels/libmlg -Ibuild/libmlg -c
 
-$(layout_tests): build/tests/layout-%: tests/test_layout.c models/%.c build/lib/libmlg.a build/auto.mk Makefile
+$(filter-out build/tests/libmlg/layout-%,$(checked_library)): build/tests/libmlg/%.o: models/libmlg/%.c build/libmlg/layouts.h Makefile
+	@mkdir -p $(@D)
+	@$(call compiled,$(checked_cc) $<)
+
+$(layouts:%=build/tests/libmlg/layout-%.o): build/tests/libmlg/layout-%.o: models/libmlg/layout.c models/%.c Makefile
+	@mkdir -p $(@D)
+	@$(call compiled,$(checked_cc) -DMLG_APART -DLAYOUT='"$*.c"' -DNAME=$* $<)
+
+build/tests/libmlg/gear.o: models/gear.c Makefile
+	@mkdir -p $(@D)
+	@$(call compiled,$(checked_cc) $<)
+
+build/tests/libmlg.a: $(checked_library) build/tests/libmlg/gear.o
+	@$(AR) rcs $@.$$$$ $^ && mv $@.$$$$ $@
+
+build/tests/integrate build/tests/criticality build/tests/fuzz: with = build/tests/libmlg.a $(lapack) $(sundials)
+build/tests/integrate build/tests/criticality build/tests/fuzz: build/tests/libmlg.a
+
+$(layout_tests): build/tests/layout-%: tests/test_layout.c models/%.c build/tests/libmlg.a build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> $@"
-	@$(call compiled,$(CC) $(TEST_CFLAGS) $(to_test_layout) $< build/lib/libmlg.a -lcmocka $(lapack) -lm)
+	@$(call compiled,$(CC) $(TEST_CFLAGS) $(to_test_layout) $< build/tests/libmlg.a -lcmocka $(lapack) -lm)
 
 $(oracles): build/bin/eigen-%: tests/eigen.c models/%.c build/auto.mk Makefile
 	@mkdir -p $(@D)

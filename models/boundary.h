@@ -1,7 +1,7 @@
 /* boundary.h - AUTO problem (IPS=0) for boundary points of the zero-shimmy region
  *
- * Built instead of plugin.h's func, stpnt and pvls with -DMLG_BOUNDARY, from the
- * same layout file.  A boundary point is an extremum of c_d along a Hopf curve
+ * Built by boundary.c instead of plugin.h's func, stpnt and pvls, around the
+ * network of the same layout file.  A boundary point is an extremum of c_d along a Hopf curve
  * of the (V, c_d) plane: F = 0 and Im(conj(F_s ray) F_V) = 0, F from
  * characteristic.h.  AUTO continues up to four of them side by side; the last
  * two, called lo and hi, bound the interval of c_d whose width is looked at.
@@ -80,26 +80,34 @@ static double width_of(int points, const double u[])
   return points < 2 ? 0. : boundary_point(u, points - 1).c - boundary_point(u, points - 2).c;
 }
 
-/* d(c_d)/d(compliance) of one boundary point.  F is affine in the compliance. */
-static double drift(int ndim, const double u[], const double par[], int i)
+/* F at the unknowns, and beside them in the compliance, in which it is affine. */
+struct drifting { struct characteristic here, beside; double _Complex ray; };
+
+static struct drifting drifting(int ndim, const double u[], const double par[])
 {
   const double compliance = compliance_of(ndim, u, par);
-  const double _Complex ray = mlg_ray(par[PAR_ZETA]);
-  const struct boundary_point p = boundary_point(u, i);
-  const struct characteristic here = characteristic_at(ndim, u, par, compliance);
-  const struct characteristic beside = characteristic_at(ndim, u, par, compliance + 1.);
-  const struct jet j = jet(&here, p.omega * ray, p.V, p.c);
-  const double _Complex F_compliance = jet(&beside, p.omega * ray, p.V, p.c).F - j.F;
 
-  return -extremum_test(&j, ray, F_compliance) / extremum_test(&j, ray, j.F_c);
+  return (struct drifting){
+    characteristic_at(ndim, u, par, compliance),
+    characteristic_at(ndim, u, par, compliance + 1.),
+    mlg_ray(par[PAR_ZETA]),
+  };
+}
+
+/* d(c_d)/d(compliance) of one boundary point. */
+static double drift(const struct drifting *F, const double u[], int i)
+{
+  const struct boundary_point p = boundary_point(u, i);
+  const struct jet j = jet(&F->here, p.omega * F->ray, p.V, p.c);
+  const double _Complex F_compliance = jet(&F->beside, p.omega * F->ray, p.V, p.c).F - j.F;
+
+  return -extremum_test(&j, F->ray, F_compliance) / extremum_test(&j, F->ray, j.F_c);
 }
 
 /* d(c_hi - c_i)/d(compliance), N m s/rad; 0 with one point. */
-static double width_slope(int ndim, const double u[], const double par[], int i)
+static double width_slope(const struct drifting *F, int points, const double u[], int i)
 {
-  const int hi = ndim / 3 - 1;
-
-  return hi < 1 ? 0. : drift(ndim, u, par, hi) - drift(ndim, u, par, i);
+  return points < 2 ? 0. : drift(F, u, points - 1) - drift(F, u, i);
 }
 
 /* The equations above, each scaled to order one. */
@@ -107,7 +115,14 @@ static void boundary_equations(int ndim, const double u[], const double par[], d
 {
   const int points = ndim / 3;
   const double _Complex ray = mlg_ray(par[PAR_ZETA]);
-  const struct characteristic F = characteristic_at(ndim, u, par, compliance_of(ndim, u, par));
+  const int stationary = ndim % 3 && (int)par[PAR_CLOSING] == STATIONARY;
+  struct drifting both;
+
+  if (stationary)
+    both = drifting(ndim, u, par);
+  else
+    both.here = characteristic_at(ndim, u, par, compliance_of(ndim, u, par));
+  const struct characteristic F = both.here;
 
   for (int i = 0; i < points; i++) {
     const struct boundary_point p = boundary_point(u, i);
@@ -122,8 +137,8 @@ static void boundary_equations(int ndim, const double u[], const double par[], d
   }
   if (ndim % 3 && (int)par[PAR_CLOSING] == EQUAL)
     f[3 * points] = u[2] - u[3 * points - 4];
-  if (ndim % 3 && (int)par[PAR_CLOSING] == STATIONARY)
-    f[3 * points] = 1e-5 * width_slope(ndim, u, par, points - 2);
+  if (stationary)
+    f[3 * points] = 1e-5 * width_slope(&both, points, u, points - 2);
   if (ndim % 3 == 2)
     f[3 * points + 1] = 1e-4 * (width_of(points, u) - par[PAR_WIDTH]);
 }
@@ -154,7 +169,8 @@ int pvls(integer ndim, const doublereal *u, doublereal *par)
   const int points = ndim / 3;
   const double compliance = compliance_of(ndim, u, par);
   const double _Complex ray = mlg_ray(par[PAR_ZETA]);
-  const struct characteristic F = characteristic_at(ndim, u, par, compliance);
+  const struct drifting both = drifting(ndim, u, par);
+  const struct characteristic F = both.here;
 
   if (ndim % 3 == 2)
     par[PAR_B] = 100. * u[ndim - 1];
@@ -178,8 +194,8 @@ int pvls(integer ndim, const doublereal *u, doublereal *par)
     par[PAR_GAP] = u[2] - u[3 * points - 4];
   if (points > 3)
     par[PAR_RIVAL] = u[5] - u[3 * points - 4];
-  par[PAR_SLOPE] = width_slope(ndim, u, par, points - 2);
-  par[PAR_SLOPE_1] = width_slope(ndim, u, par, 0);
+  par[PAR_SLOPE] = width_slope(&both, points, u, points - 2);
+  par[PAR_SLOPE_1] = width_slope(&both, points, u, 0);
   return 0;
 }
 

@@ -10,6 +10,10 @@
 
 #include "jacobian.h"
 
+#ifdef MLG_APART
+#define mlg_slopes(par, u, f, by_parameters, E) mlg_slopes_apart(par, u, f, by_parameters, E)
+#endif
+
 /* The device by itself: its torque in the place of psi'', and its rates. */
 static void device_rates(const double par[], const double u[], double f[])
 {

@@ -4,12 +4,31 @@
  * NDIM (its number of states) and device().  AUTO's header comes last on
  * purpose: its macros fabs, min and max must not reach the equations.
  *
- * -DMLG_BOUNDARY makes the algebraic problem of boundary.h instead;
  * -DMLG_NO_AUTO leaves AUTO out, for programs that want the device or the
  * right-hand side alone.
+ * Two more spare the compiler work, where all layouts are built side by side:
+ * -DMLG_BOUNDARY gives the device's network alone, to link with boundary.c, and
+ * -DMLG_APART leaves the gear's equations to gear.c.
  */
 #ifndef MLG_PLUGIN_H
 #define MLG_PLUGIN_H
+
+#ifdef MLG_BOUNDARY
+
+/* The device of boundary.c. */
+struct network layout_network(const double par[]);
+
+struct network layout_network(const double par[])
+{
+  return device_network(par);
+}
+
+#else
+
+#ifdef MLG_APART
+#include "gear.h"
+#define mlg_gear mlg_gear_apart
+#endif
 
 /* f = u' for states u[NDIM] (AUTO calls them ndim of its own). */
 static inline void right_hand_side(const double par[], const double u[], double f[])
@@ -20,9 +39,6 @@ static inline void right_hand_side(const double par[], const double u[], double 
 #include "derivatives.h"
 
 #ifndef MLG_NO_AUTO
-#ifdef MLG_BOUNDARY
-#include "boundary.h"
-#else
 
 #include "auto_f2c.h"
 
@@ -182,32 +198,9 @@ int pvls(integer ndim, const doublereal *u, doublereal *par)
   return 0;
 }
 
-#endif /* MLG_BOUNDARY */
-
-/* AUTO wants these to be there; no run of ours uses them. */
-int bcnd(integer ndim, const doublereal *par, const integer *icp, integer nbc,
-         const doublereal *u0, const doublereal *u1, integer ijac, doublereal *f, doublereal *dbc)
-{
-  (void)ndim, (void)par, (void)icp, (void)nbc, (void)u0, (void)u1, (void)ijac, (void)f, (void)dbc;
-  return 0;
-}
-
-int icnd(integer ndim, const doublereal *par, const integer *icp, integer nint,
-         const doublereal *u, const doublereal *uold, const doublereal *udot,
-         const doublereal *upold, integer ijac, doublereal *f, doublereal *dint)
-{
-  (void)ndim, (void)par, (void)icp, (void)nint, (void)u, (void)uold, (void)udot, (void)upold;
-  (void)ijac, (void)f, (void)dint;
-  return 0;
-}
-
-int fopt(integer ndim, const doublereal *u, const integer *icp, const doublereal *par,
-         integer ijac, doublereal *f, doublereal *dfdu, doublereal *dfdp)
-{
-  (void)ndim, (void)u, (void)icp, (void)par, (void)ijac, (void)f, (void)dfdu, (void)dfdp;
-  return 0;
-}
+#include "unused.h"
 
 #endif /* MLG_NO_AUTO */
+#endif /* MLG_BOUNDARY */
 
 #endif

@@ -20,7 +20,7 @@
 # shellcheck disable=SC2028 # text for awk
 . "$(dirname "$0")/lib.sh"
 . scripts/curves.sh
-[ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent models build/bin/{eigen,search}-{l1,l2,li1,li2}
+[ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent models build/bin/eigen-{l1,l2,li1,li2}
 
 readonly layouts="l1 l2 li1 li2"
 readonly speeds="0.5 5 8 11 16 24 36 60 100 150" # m/s
@@ -101,15 +101,15 @@ folds() { # LAYOUT
 certify_region() { # LAYOUT
   local k_s b c_lo c_hi list="build/runs/certify.$1.list"
   region "$1"
-  use "build/bin/"{scan,eigen}"-$1" "$list"
+  use build/bin/mlg "build/bin/"{scan,eigen}"-$1" "$list"
   hopf_curves "$1" "certify.$1.hopf" k_s="$k_s" b="$b"
   : > "$list.new"
   cycles_in_c_d "$1"
   cycles_in_V "$1"
   folds "$1"
   mv "$list.new" "$list"
-  made "search.$1" "build/bin/"{scan,search}"-$1" scripts/certify.sh \
-    -- "build/bin/search-$1" "$c_lo" "$c_hi" "$starts" k_s="$k_s" b="$b"
+  made "search.$1" build/bin/mlg "build/bin/scan-$1" scripts/certify.sh \
+    -- build/bin/mlg search "$1" c_lo="$c_lo" c_hi="$c_hi" starts="$starts" k_s="$k_s" b="$b"
 }
 
 runs_l1() { certify_region l1; }
@@ -128,7 +128,7 @@ criticality_rows() { # LAYOUT
     use "$file"
     awk -v k_s="$k_s" -v b="$b" -f scripts/auto.awk -f <(echo '
       { printf "%.12g,%.12g,%s,%s,%.12g\n", value["V"], value["c_d"], k_s, b, 1 / value["period"] }') "$file" \
-      | "build/bin/eigen-$1" criticality \
+      | build/bin/mlg criticality "$1" \
       | awk -F, -v head="$1,$k_s,$b,${file##*.}" 'NR > 1 { printf "%s,,%.6g,%.6g,%.6g,%.6g,%.6g\n", head, $1, $2, $3, $4, $5 }'
   done | awk -F, '
     { print }
@@ -146,7 +146,7 @@ generalised_hopf() { # LAYOUT V C_D A V_1 C_D_1
     # of the Hopf points at this speed the one on the curve
     c_d=$(hopf_points "$1" c_d 1 8e4 V="$middle" | awk -v lo="$3" -v hi="$6" '
       (lo < hi && $1 > lo && $1 < hi) || (lo > hi && $1 > hi && $1 < lo) { print $1 "," $2 }')
-    row=$(echo "$middle,${c_d%,*},$k_s,$b,${c_d#*,}" | "build/bin/eigen-$1" criticality | sed 1d)
+    row=$(echo "$middle,${c_d%,*},$k_s,$b,${c_d#*,}" | build/bin/mlg criticality "$1" | sed 1d)
     if awk -v a="$4" -v here="${row#*,*,*,*,}" 'BEGIN { split(here, part, ","); exit !(a * part[1] > 0) }'; then V=$middle; else V_1=$middle; fi
   done
   awk -F, -v head="$1,$k_s,$b,-,GH" '{ printf "%s,%.6g,%.6g,%.6g,%.6g,0\n", head, $1, $2, $3, $4 }' <<< "$row"
@@ -212,7 +212,7 @@ tables() {
   local layout k_s b c_lo c_hi
   local criticality=results/criticality.csv cycles=results/cycles.csv folds=results/folds.csv certify=results/certify.csv
   printf '%s\n' "# Hopf points of the curves that bound the zero-shimmy regions. V m/s, c_d N m s/rad, a 1/s per rad^2 of psi:" \
-    "# r' = sigma r + a r^3 for the amplitude r of psi beside the point; a < 0 supercritical (tests/criticality.h). type GH: a changes sign." \
+    "# r' = sigma r + a r^3 for the amplitude r of psi beside the point; a < 0 supercritical (mlg criticality). type GH: a changes sign." \
     layout,k_s,b,curve,type,V,c_d,frequency_hz,delta_over_psi,a > "$criticality.new"
   printf '%s\n' "# Cycles that begin at these curves: along c_d at one speed (branch V8.1: the first Hopf point at 8 m/s), along V" \
     "# below and above the interval. type LP: fold of cycles. V m/s, c_d N m s/rad, psi_max deg, dstar_max m; stable 1 or 0." \
@@ -222,7 +222,7 @@ tables() {
   for layout in $layouts; do
     [ -f "build/runs/certify.$layout.list" ] || fail "certify: the runs of $layout have not been made; scripts/certify.sh runs makes them"
     region "$layout"
-    use "build/bin/"{scan,eigen}"-$layout" "build/runs/certify.$layout.list" "build/tables/search.$layout.csv"
+    use build/bin/mlg "build/bin/"{scan,eigen}"-$layout" "build/runs/certify.$layout.list" "build/tables/search.$layout.csv"
     criticality_rows "$layout" >> "$criticality.new"
     cycle_rows "$layout" >> "$cycles.new"
     fold_rows "$layout" >> "$folds.new"

@@ -3,19 +3,19 @@
 #
 #   scripts/damping.sh [runs [planes | search] | tables | draw]
 #
-# Needs:  damping-LAYOUT (scripts/damping.c), scan-LAYOUT, results/widths.csv
+# Needs:  build/bin/mlg, scan-LAYOUT, results/widths.csv
 # Writes: results/damping.csv, results/damping.png and .svg;
 #         build/tables/damping.*.csv, the maps of the picture
 # Expect: 2.7e-5 at best for L1, 9.6e-5 for L2, 1.7e-4 for LI1 and 7.9e-4 for LI2 at
 #         b = 140 N m s^2/rad, always lost in the delta mode.
 . "$(dirname "$0")/lib.sh"
-[ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent build/bin/damping-{l1,l2,li1,li2}
+[ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent build/bin/mlg
 
 stiffness=compliance=0:0.35 damper=c_d=100:4e4 # where the best damped gear is looked for
 
 # made of lib.sh, with the layout's programs, the widths and this script to hang on
 of() { # NAME LAYOUT COMMAND...
-  made "damping.$1" build/bin/{damping,scan}-"$2" results/widths.csv scripts/damping.sh -- "${@:3}"
+  made "damping.$1" build/bin/mlg build/bin/scan-"$2" results/widths.csv scripts/damping.sh -- "${@:3}"
 }
 
 # The widest interval over k_s at every second b of widths.csv.
@@ -28,7 +28,7 @@ widest() { # LAYOUT
 best_in_interval() { # LAYOUT CHOICE
   local k_s b c_lo c_hi
   while read -r k_s b c_lo c_hi; do
-    "build/bin/damping-$1" best k_s="$k_s" b="$b" c_d="$c_lo:$c_hi" \
+    build/bin/mlg damping "$1" best k_s="$k_s" b="$b" c_d="$c_lo:$c_hi" \
       | awk -v row="$1,$2,$b,$k_s" 'NR == 2 { print row "," $0 }'
   done
 }
@@ -38,7 +38,7 @@ middle() { # LAYOUT CHOICE
   local k_s b c_lo c_hi c_d
   while read -r k_s b c_lo c_hi; do
     c_d=$(awk -v lo="$c_lo" -v hi="$c_hi" 'BEGIN { printf "%.6g", (lo + hi) / 2 }')
-    "build/bin/damping-$1" k_s="$k_s" b="$b" c_d="$c_d" \
+    build/bin/mlg damping "$1" k_s="$k_s" b="$b" c_d="$c_d" \
       | awk -v row="$1,$2,$b,$k_s,$c_d" 'NR == 2 { print row "," $0 }'
   done
 }
@@ -47,24 +47,24 @@ middle() { # LAYOUT CHOICE
 best_of_all() { # LAYOUT CHOICE B...
   local b
   for b in "${@:3}"; do
-    "build/bin/damping-$1" best "$stiffness" "$damper" b="$b" \
+    build/bin/mlg damping "$1" best "$stiffness" "$damper" b="$b" \
       | awk -F, -v OFS=, -v row="$1,$2,$b" 'NR == 2 { k_s = sprintf("%.6g", 1e5 / $1); $1 = row "," k_s; print }'
   done
 }
 
 plane() { # LAYOUT K_S B
-  "build/bin/damping-$1" k_s="$2" b="$3" c_d=100:8e4:160 V=0.5:200:160
+  build/bin/mlg damping "$1" k_s="$2" b="$3" c_d=100:8e4:160 V=0.5:200:160
 }
 
 runs_planes() {
   of l1 l1 plane l1 1e30 0
-  of l1.c_d l1 build/bin/damping-l1 c_d=2700:3100:201
+  of l1.c_d l1 build/bin/mlg damping l1 c_d=2700:3100:201
   of l2 l2 plane l2 4.755e5 0
   of li1 li1 plane li1 3.048e5 140
   of li2 li2 plane li2 1.4047e6 140
-  of l2.k_s l2 build/bin/damping-l2 k_s=2.86e5:2e6:90 c_d=2e3:3e4:90
-  of li1.k_s li1 build/bin/damping-li1 b=140 k_s=2.86e5:2e6:90 c_d=2e3:3e4:90
-  of li2.k_s li2 build/bin/damping-li2 b=140 k_s=2.86e5:4e6:90 c_d=2e3:3e4:90
+  of l2.k_s l2 build/bin/mlg damping l2 k_s=2.86e5:2e6:90 c_d=2e3:3e4:90
+  of li1.k_s li1 build/bin/mlg damping li1 b=140 k_s=2.86e5:2e6:90 c_d=2e3:3e4:90
+  of li2.k_s li2 build/bin/mlg damping li2 b=140 k_s=2.86e5:4e6:90 c_d=2e3:3e4:90
 }
 
 runs_search() {

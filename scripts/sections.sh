@@ -11,14 +11,14 @@
 #        26.5, and the torus itself, which is unstable and lies between the torus points.
 #        It is found by bisection between a start that settles on the psi-shimmy
 #        and one that settles on the delta-shimmy.
-# Needs:  simulate-l1 (make simulate); the runs of Figure 6(a), and makes them.
+# Needs:  build/bin/mlg; the runs of Figure 6(a), and makes them.
 # Writes: results/sections.csv, results/tori.csv, results/sections.png and .svg
 # Expect: no stable torus: beyond each torus point the gear goes over to the other
 #         oscillation (subcritical), here and at other c_d along the torus curves of
 #         Figure 7; unstable tori from the delta orbit at V = 27.37 to the psi orbit at
 #         30.79, at V = 29 with psi from 1.14 to 1.62 degrees on the section.
 . "$(dirname "$0")/lib.sh"
-[ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent simulate
+[ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent build/bin/mlg
 
 past='32 26.5'
 between='28 29 30'
@@ -32,7 +32,7 @@ beyond='3.4e4 28.4 psi=0.03
 5.5e4 54.5 psi=0.02
 5.5e4 42.6 delta=0.01'
 
-simulate() { use build/bin/simulate-l1; build/bin/simulate-l1 "$@"; }
+simulate() { use build/bin/mlg; build/bin/mlg simulate l1 "$@"; }
 
 section() { simulate section dpsi down c_d=3.6e4 "$@"; } # WORD...
 

@@ -4,10 +4,10 @@
 #   scripts/simulate.sh LAYOUT NAME [PARAMETER=VALUE ...] STATE=VALUE ...
 #   scripts/simulate.sh l1 kick V=40 psi=0.3 t_end=2
 #
-# Needs:  simulate-LAYOUT (make simulate), which says what the words may be.
+# Needs:  build/bin/mlg; `mlg help simulate` says what the words may be.
 # Writes: build/tables/NAME.csv, its history, and build/tables/NAME.png: psi, delta*
 #         and the tyres' deflections over time; red: a slip angle passes alpha_m.
-# Exit:   that of simulate-LAYOUT: 1 the integration failed, 2 bad input; one line
+# Exit:   that of mlg simulate: 1 the integration failed, 2 bad input; one line
 #         says why, and what was there before stays.
 . "$(dirname "$0")/lib.sh"
 
@@ -16,10 +16,10 @@ layout=$1 name=$2
 shift 2
 [ -f "models/$layout.c" ] || fail "simulate: there is no layout '$layout', no models/$layout.c" 2
 case $name in '' | *[!A-Za-z0-9._-]*) fail "simulate: NAME '$name': letters, digits, dot, _ and - only" 2 ;; esac
-[ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent "build/bin/simulate-$layout"
+[ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent build/bin/mlg
 mkdir -p build/tables
 work=build/tables/$name
-"build/bin/simulate-$layout" history "$@" > "$work.csv.new" || exit $?
+build/bin/mlg simulate "$layout" history "$@" > "$work.csv.new" || exit $?
 mv "$work.csv.new" "$work.csv"
 LC_ALL=C.UTF-8 gnuplot -e "figure='$name'" scripts/style.gp scripts/simulate.gp
 mv "$work.png.new" "$work.png"

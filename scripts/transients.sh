@@ -3,13 +3,13 @@
 #
 #   scripts/transients.sh [runs [paper | best] | tables | draw]
 #
-# Needs:  transients-LAYOUT (scripts/transients.c), damping-LAYOUT, results/damping.csv
+# Needs:  build/bin/mlg, results/damping.csv
 # Writes: results/transients.csv, results/transients.png and .svg;
 #         build/tables/transients.*.csv
 # Expect: delta* of L1 takes a quarter of an hour to settle at V = 36 m/s; with the best damped
 #         LI2 half a minute.
 . "$(dirname "$0")/lib.sh"
-[ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent build/bin/{damping,transients}-{l1,l2,li1,li2}
+[ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent build/bin/mlg
 
 # The gears of results/damping.csv: paper is the best c_d of the paper's interval, best
 # that of all k_s too, at b = 140 as in the paper.
@@ -24,10 +24,10 @@ disturbed() { # CHOICE LAYOUT...
   shift
   for layout; do
     read -ra gear < <(gear "$choice" "$layout")
-    made "transients.$choice.$layout" "build/bin/transients-$layout" results/damping.csv scripts/transients.sh \
-      -- "build/bin/transients-$layout" "${gear[@]}"
-    made "transients.$choice.$layout.zeta" "build/bin/damping-$layout" results/damping.csv scripts/transients.sh \
-      -- "build/bin/damping-$layout" V=5:200:300 "${gear[@]}"
+    made "transients.$choice.$layout" build/bin/mlg results/damping.csv scripts/transients.sh \
+      -- build/bin/mlg transients "$layout" "${gear[@]}"
+    made "transients.$choice.$layout.zeta" build/bin/mlg results/damping.csv scripts/transients.sh \
+      -- build/bin/mlg damping "$layout" V=5:200:300 "${gear[@]}"
   done
 }
 

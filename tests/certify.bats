@@ -1,7 +1,7 @@
 # certify.bats - does the search tell falling from sustained, and do page, table of
 # regions and tables of record say the same?
 #
-# Needs   search-l1, simulate-l1 (make test-programs); the tables in results/
+# Needs   build/bin/mlg (make test-programs); the tables in results/
 # Writes  build/tests/certify
 
 bats_require_minimum_version 1.5.0
@@ -18,7 +18,7 @@ setup() {
 
 # verdicts C_D STARTS: how many starts fall and how many are sustained
 verdicts() {
-  build/bin/search-l1 "$1" "$1" "$2" | awk -F, 'NR > 1 { n[$NF]++ } END { print n["falls"] + 0, n["sustained"] + 0 }'
+  build/bin/mlg search l1 c_lo="$1" c_hi="$1" starts="$2" | awk -F, 'NR > 1 { n[$NF]++ } END { print n["falls"] + 0, n["sustained"] + 0 }'
 }
 
 @test "large starts fall inside the interval, and are sustained in delta-shimmy" {
@@ -29,9 +29,10 @@ verdicts() {
 
 @test "slips of the search are refused in one line with status 2" {
   local words
-  for words in "2900" "0 3000 4" "3000 2900 4" "2900 3000 0" "2900 3000 4 c_q=1" "2900 3000 4 k_d=-1"; do
+  for words in "" c_lo=2900 "c_lo=0 c_hi=3000" "c_lo=3000 c_hi=2900" "c_lo=2900 c_hi=3000 starts=0" "c_lo=2900 c_hi=3000 c_q=1" \
+    "c_lo=2900 c_hi=3000 k_d=-1" "c_lo=2900 c_hi=3000 V=3" "c_lo=2900 c_hi=3000 c_d=3e3" "c_lo=2900 c_hi=3000 V_top=1"; do
     # shellcheck disable=SC2086 # words
-    run -2 build/bin/search-l1 $words
+    run -2 build/bin/mlg search l1 $words
     [ "${#lines[@]}" -eq 1 ]
   done
 }
@@ -73,6 +74,6 @@ cell() {
 @test "a cycle of record is what time integration settles on" {
   local V c_d psi_max
   IFS=, read -r V c_d psi_max < <(awk -F, '$1 == "l1" && $4 == "V8.1" && $10 == 1 && $8 > 6 { print $6 "," $7 "," $8; exit }' results/cycles.csv)
-  build/bin/simulate-l1 orbit V="$V" c_d="$c_d" psi=0.1 >orbit.csv
+  build/bin/mlg simulate l1 orbit V="$V" c_d="$c_d" psi=0.1 >orbit.csv
   near "$psi_max" "$(awk -F, '/^#/ { next } !k { for (i = 1; i <= NF; i++) if ($i == "psi_max") k = i; next } { print $k; exit }' orbit.csv)" 1e-5 psi_max
 }

@@ -6,9 +6,9 @@ layouts() { grep -l '^#include "plugin.h"' models/*.c | sed 's|.*/||; s|\.c$||';
 
 @test "the committed drawings are those of the source" {
   local layout
-  build/bin/gear | cmp - docs/drawings/gear.svg
+  build/bin/mlg gear | cmp - docs/drawings/gear.svg
   for layout in $(layouts); do
-    build/bin/"draw-$layout" | cmp - "docs/drawings/$layout.svg" || { echo "make drawings makes it anew" && false; }
+    build/bin/mlg draw "$layout" | cmp - "docs/drawings/$layout.svg" || { echo "make drawings makes it anew" && false; }
   done
 }
 

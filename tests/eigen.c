@@ -5,7 +5,7 @@
  */
 #include LAYOUT
 
-#include "criticality.h"
+#include "eigen.h"
 #include "arguments.h"
 
 /* plugin.h asks AUTO for these; func() does not. */
@@ -35,9 +35,6 @@ static const char usage[] =
   "  interval [V_lo=0.1 V_hi=200 step=0.05 c_d_lo=100 c_d_hi=1e5 c_d_steps=300]\n"
   "                                   intervals of c_d without shimmy at any V\n"
   "  folds                            as fold, for each line V,c_d,k_s,b of standard input\n"
-  "  criticality                      at each Hopf point V,c_d,k_s,b,frequency_hz of standard\n"
-  "                                   input: does shimmy begin beside the stable gear (a > 0)\n"
-  "                                   or not (tests/criticality.h)\n"
   "  map [V_lo=0.5 V_hi=200 V_n=400 c_d_lo=250 c_d_hi=1e5 c_d_n=400]\n"
   "                                   number of unstable pairs on a grid, as CSV\n"
   "Other names are those of the parameters (models/mlg.h), in SI units.\n";
@@ -240,25 +237,22 @@ static int print_map(int n, char **argument)
   return 0;
 }
 
-/* A line V,c_d,k_s,b of standard input into par, and with a frequency wanted
- * V,c_d,k_s,b,frequency_hz; false at the end of the input. */
-static bool read_point(double par[], double *frequency_hz)
+/* A line V,c_d,k_s,b of standard input into par; false at the end of the input. */
+static bool read_point(double par[])
 {
   static int line = 0;
   char text[256], *at = text;
-  double *const into[] = { &par[PAR_V], &par[PAR_C_D], &par[PAR_K_S], &par[PAR_B], frequency_hz };
-  const int columns = frequency_hz != NULL ? 5 : 4;
+  double *const into[] = { &par[PAR_V], &par[PAR_C_D], &par[PAR_K_S], &par[PAR_B] };
 
   line++;
   if (fgets(text, sizeof text, stdin) == NULL)
     return false;
-  for (int i = 0; i < columns; i++) {
+  for (int i = 0; i < 4; i++) {
     char *end;
 
     *into[i] = strtod(at, &end);
-    if (end == at || *end != (i + 1 < columns ? ',' : '\n')) {
-      fprintf(stderr, "standard input:%d: '%.*s': expected V,c_d,k_s,b%s\n", line, (int)strcspn(text, "\n"), text,
-              frequency_hz != NULL ? ",frequency_hz" : "");
+    if (end == at || *end != (i < 3 ? ',' : '\n')) {
+      fprintf(stderr, "standard input:%d: '%.*s': expected V,c_d,k_s,b\n", line, (int)strcspn(text, "\n"), text);
       exit(2);
     }
     at = end + 1;
@@ -276,28 +270,10 @@ static int print_folds(int n, char **argument)
   mlg_defaults(par);
   read_arguments(n, argument, par, given, option, NULL);
   printf("V,c_d\n");
-  while (read_point(par, NULL)) {
+  while (read_point(par)) {
     const bool found = eigen_refine(EIGEN_FOLD, par, slot) >= 0.;
 
     printf(found ? "%.13g,%.13g\n" : ",\n", par[PAR_V], par[PAR_C_D]);
-  }
-  return 0;
-}
-
-static int print_criticality(int n, char **argument)
-{
-  struct option option[] = { { NULL, 0., false } };
-  double par[EIGEN_SLOTS] = { 0. }, frequency_hz;
-  bool given[EIGEN_SLOTS] = { false };
-
-  mlg_defaults(par);
-  read_arguments(n, argument, par, given, option, NULL);
-  printf("V,c_d,frequency_hz,delta_over_psi,a,growth_in_c_d\n");
-  while (read_point(par, &frequency_hz)) {
-    const struct eigen_mode mode = eigen_mode(par, 2. * MLG_PI * frequency_hz * I);
-
-    printf("%.10g,%.10g,%.8g,%.6g,%.10g,%.10g\n", par[PAR_V], par[PAR_C_D], mode.frequency_hz,
-           mode.delta_over_psi, criticality(par, mode.value), creal(eigen_slope(par, &mode, PAR_C_D)));
   }
   return 0;
 }
@@ -323,8 +299,6 @@ int main(int argc, char **argv)
     status = print_intervals(n, argument);
   else if (strcmp(command, "folds") == 0)
     status = print_folds(n, argument);
-  else if (strcmp(command, "criticality") == 0)
-    status = print_criticality(n, argument);
   else if (strcmp(command, "map") == 0)
     status = print_map(n, argument);
   else {

@@ -55,11 +55,11 @@ values() { # the same of all such points
   ' "build/runs/$1/b.$1"
 }
 
-# cell COLUMN PROGRAM ARGUMENT...: that column of the first row of the CSV it prints
+# cell COLUMN WORD...: that column of the first row of the CSV that mlg WORD... prints
 cell() {
-  local column=$1 program=$2
-  shift 2
-  "build/bin/$program" "$@" | awk -F, -v column="$column" '
+  local column=$1
+  shift
+  build/bin/mlg "$@" | awk -F, -v column="$column" '
     NR == 1 { for (k = 1; k <= NF; k++) if ($k == column) place = k }
     NR == 2 { print $place }'
 }

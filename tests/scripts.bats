@@ -10,8 +10,8 @@
   local file include
   cd "$BATS_TEST_DIRNAME/.."
   include=$(sed -n 's/^AUTO_INCLUDE = //p' build/auto.mk)
-  for file in models/*.c scripts/*.c tests/eigen.c; do
-    gcc -fsyntax-only -std=c11 -D_DEFAULT_SOURCE -Wall -Wextra -Wpedantic -Werror -Imodels -Iscripts -Ibuild/lib \
+  for file in models/*.c models/libmlg/*.c scripts/*.c scripts/mlg/*.c tests/eigen.c; do
+    gcc -fsyntax-only -std=c11 -D_DEFAULT_SOURCE -Wall -Wextra -Wpedantic -Werror -Imodels -Imodels/libmlg -Iscripts -Ibuild/libmlg \
       -isystem "$include" -DLAYOUT='"l1.c"' -DNAME=l1 "$file"
   done
   # whatever the user's flags, the models are compiled as C11

@@ -3,7 +3,7 @@
 # Known solutions, sections and restarts: test_integrate.c. Against AUTO:
 # verify/integration.sh.
 #
-# Needs   the models and simulate (make test-programs)
+# Needs   the models and build/bin/mlg (make test-programs)
 # Writes  build/tests/simulate
 
 bats_require_minimum_version 1.5.0
@@ -19,7 +19,7 @@ setup() {
 }
 
 simulate() { # LAYOUT WORD...
-  "build/bin/simulate-$1" "${@:2}"
+  build/bin/mlg simulate "$@"
 }
 
 # numbers COLUMN... < CSV: these columns of all rows, by name
@@ -34,7 +34,7 @@ numbers() {
 refuses() {
   run "-$1" --separate-stderr simulate "${@:3}"
   # shellcheck disable=SC2154 # set by run
-  [ "$stderr" = "simulate: $2" ] || { echo "$stderr" && return 1; }
+  [ "$stderr" = "mlg simulate: $2" ] || { echo "$stderr" && return 1; }
 }
 
 @test "a history begins at its start and has a row every dt" {
@@ -122,7 +122,7 @@ refuses() {
   [ "$(head -c 4 build/tables/mine.png | tail -c 3)" = PNG ]
   cp build/tables/mine.csv kept.csv
   run -2 scripts/simulate.sh l1 mine V=40 ps=0.3
-  [ "$output" = "simulate: 'ps=0.3': no such parameter (see models/mlg.h)" ]
+  [ "$output" = "mlg simulate: 'ps=0.3': no such parameter (see models/mlg.h)" ]
   cmp build/tables/mine.csv kept.csv
   run -2 scripts/simulate.sh l9 mine psi=0.3
   [ "$output" = "simulate: there is no layout 'l9', no models/l9.c" ]
@@ -135,7 +135,7 @@ refuses() {
   mkdir -p build/tables
   sed -i 's/^set terminal .*/set terminal svg/; s/\.png\.new/.svg/' scripts/simulate.gp
   for start in 0.3 0.01; do
-    build/bin/simulate-l1 history V=40 psi=$start t_end=1 >build/tables/dots.csv
+    build/bin/mlg simulate l1 history V=40 psi=$start t_end=1 >build/tables/dots.csv
     limits=$(grep -c ',limit$' build/tables/dots.csv) || [ "$limits" -eq 0 ]
     run -0 env LC_ALL=C.UTF-8 gnuplot -e "figure='dots'" scripts/style.gp scripts/simulate.gp
     [ -z "$output" ] || { echo "$output" && return 1; }
@@ -146,12 +146,12 @@ refuses() {
 }
 
 @test "bad input: one line, status 2" {
-  local usage='usage: simulate history|orbit|growth|section STATE up|down [NAME=VALUE ...]'
+  local usage='expected LAYOUT history|orbit|growth|section STATE up|down [NAME=VALUE ...]'
   refuses 2 "$usage" l1
   refuses 2 "$usage" l1 orbits psi=0.1
   refuses 2 "$usage" l1 section psi
   refuses 2 "$usage" l1 section psi sideways psi=0.1
-  refuses 2 "'chi': no state of this layout" l1 section chi up psi=0.1
+  refuses 2 "'chi': no state of layout l1" l1 section chi up psi=0.1
   refuses 2 "'chi=0.1': no such parameter (see models/mlg.h)" l1 history chi=0.1
   refuses 2 "'psi=x': expected NAME=NUMBER" l1 history psi=x
   refuses 2 "'psi=nan': expected NAME=NUMBER" l1 history psi=nan
@@ -164,9 +164,9 @@ refuses() {
 @test "what does not end as asked says why: one line, status 1" {
   refuses 1 'fewer than 4 maxima of psi between t = 0.05 and 0.1 s' l1 growth psi=1e-5 t_end=0.1
   run -1 --separate-stderr simulate l1 orbit V=5 psi=0.01
-  [[ $stderr == 'simulate: t = '*' s: the oscillation has died out' ]]
+  [[ $stderr == 'mlg simulate: t = '*' s: the oscillation has died out' ]]
   run -1 --separate-stderr simulate l1 orbit V=20 psi=0.05 t_end=20
-  [[ $stderr == 'simulate: not settled at t = 20 s, after '*' maxima of psi: it still changes by '*' of its size in a period' ]]
+  [[ $stderr == 'mlg simulate: not settled at t = 20 s, after '*' maxima of psi: it still changes by '*' of its size in a period' ]]
   run -1 --separate-stderr simulate l1 history V=10 psi=1.5 dpsi=200
-  [[ $stderr == 'simulate: t = '*' s: an angle passes pi/2, or the rates are not finite' ]]
+  [[ $stderr == 'mlg simulate: t = '*' s: an angle passes pi/2, or the rates are not finite' ]]
 }

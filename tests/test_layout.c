@@ -251,6 +251,8 @@ static void libmlg_is_func(void **state)
 static void libmlg_knows_what_is_none(void **state)
 {
   double par[LIBMLG_MOST_PARAMETERS], u[NDIM] = { 0. }, f[NDIM] = { 7. };
+  struct libmlg_mode mode;
+  int none;
 
   (void)state;
   assert_int_equal(libmlg_layout("l9"), LIBMLG_NONE);
@@ -263,6 +265,14 @@ static void libmlg_knows_what_is_none(void **state)
     assert_int_equal(libmlg_state(i, "psi"), LIBMLG_NONE);
     assert_int_equal(libmlg_rhs(i, par, u, f), LIBMLG_NONE);
     assert_int_equal(libmlg_jacobian(i, par, u, f, NULL), LIBMLG_NONE);
+    assert_int_equal(libmlg_torque(i, par, u, f), LIBMLG_NONE);
+    assert_int_equal(libmlg_uses(i, 0), LIBMLG_NONE);
+    assert_int_equal(libmlg_eigenvalues(i, par, f, f, &none), LIBMLG_NONE);
+    assert_int_equal(libmlg_least_damped(i, par, &mode), LIBMLG_NONE);
+    assert_int_equal(libmlg_least_damped_between(i, par, 1., 2., &mode), LIBMLG_NONE);
+    assert_int_equal(libmlg_least_damped_to(i, par, 200., &mode), LIBMLG_NONE);
+    assert_int_equal(libmlg_criticality(i, par, 50., &mode, f), LIBMLG_NONE);
+    assert_int_equal(libmlg_growth_slope(i, par, &mode, 0, f), LIBMLG_NONE);
   }
   assert_near(f[0], 7., 0.);
   assert_null(libmlg_state_quantity(0, libmlg_states(0)));
@@ -286,6 +296,65 @@ static void libmlg_knows_what_is_none(void **state)
       par[i] = outside[k];
       assert_int_equal(libmlg_outside(par), i);
     }
+  }
+}
+
+/* What is no number comes back as a failure, not as an end of the program. */
+static void libmlg_fails_on_no_numbers(void **state)
+{
+  double par[LIBMLG_MOST_PARAMETERS], re[LIBMLG_MOST_STATES], im[LIBMLG_MOST_STATES], a;
+  struct libmlg_mode mode;
+  int n;
+
+  (void)state;
+  libmlg_defaults(par);
+  par[libmlg_parameter("J_zeta")] = NAN;
+  assert_int_equal(libmlg_eigenvalues(0, par, re, im, &n), LIBMLG_FAILED);
+  assert_int_equal(libmlg_least_damped(0, par, &mode), LIBMLG_FAILED);
+  assert_int_equal(libmlg_least_damped_between(0, par, 1., 2., &mode), LIBMLG_FAILED);
+  assert_int_equal(libmlg_least_damped_to(0, par, 200., &mode), LIBMLG_FAILED);
+  assert_int_equal(libmlg_criticality(0, par, 50., &mode, &a), LIBMLG_FAILED);
+}
+
+/* The eigenvalues of libmlg, of the exact Jacobian and without states that only follow,
+ * are those of the oracle, which differences func() and keeps such states. */
+static void libmlg_eigenvalues_are_the_oracles(void **state)
+{
+  char name[] = LAYOUT;
+  double par[SLOTS], packed[LIBMLG_MOST_PARAMETERS], re[LIBMLG_MOST_STATES], im[LIBMLG_MOST_STATES];
+  struct libmlg_mode mode;
+  int layout, n;
+
+  (void)state;
+  *strchr(name, '.') = '\0';
+  layout = libmlg_layout(name);
+  for (int sample = 0; sample < SAMPLES; sample++) {
+    random_parameters(par);
+    limiting(par, sample % 16 & ~3); /* rigid k_s, b = 0 */
+    const struct eigen_values e = eigen_values(par);
+    int followers = 0;
+
+#define X(slot, id, name, unit, value, least, most, meaning) packed[libmlg_parameter(name)] = par[PAR_##id];
+    MLG_PARAMETERS(X)
+#undef X
+    assert_int_equal(libmlg_eigenvalues(layout, packed, re, im, &n), 0);
+    for (int i = 0, k = 0; i < NDIM; i++)
+      if (k < n && hypot(e.re[i] - re[k], e.im[i] - im[k]) <= 1e-7 * (100. + hypot(e.re[i], e.im[i])))
+        k++;
+      else { /* two that follow one another make a double eigenvalue */
+        assert_near(e.re[i], -MLG_FOLLOW, 0.1);
+        assert_near(e.im[i], 0., 0.1);
+        followers++;
+      }
+    assert_int_equal(n + followers, NDIM);
+    assert_true(followers == 0 || sample % 16 >= 4);
+
+    /* the mode of the least damping ratio is one of them, and none is below it */
+    assert_int_equal(libmlg_least_damped(layout, packed, &mode), 0);
+    for (int i = 0; i < n; i++)
+      if (im[i] >= 0.)
+        assert_true(-re[i] / hypot(re[i], im[i]) >= mode.zeta);
+    assert_near(mode.zeta, -mode.re / hypot(mode.re, mode.im), 1e-9);
   }
 }
 
@@ -922,6 +991,8 @@ int main(void)
     cmocka_unit_test_setup(func_is_finite, seed),
     cmocka_unit_test_setup(libmlg_is_func, seed),
     cmocka_unit_test_setup(libmlg_knows_what_is_none, seed),
+    cmocka_unit_test_setup(libmlg_eigenvalues_are_the_oracles, seed),
+    cmocka_unit_test_setup(libmlg_fails_on_no_numbers, seed),
     cmocka_unit_test_setup(linearisation_is_the_closed_form, seed),
     cmocka_unit_test_setup(derivatives_are_those_of_func, seed),
     cmocka_unit_test_setup(func_writes_what_it_is_asked_for, seed),

@@ -1,10 +1,10 @@
 # transients.bats - are the peaks and settling times after a disturbance right?
 #
-# transients-LAYOUT against eigenvalues of the full linearised equations
-# (eigen-LAYOUT), against histories of simulate-LAYOUT, and against itself: mirrored
+# mlg transients against eigenvalues of the full linearised equations
+# (eigen-LAYOUT), against histories of mlg simulate, and against itself: mirrored
 # and scaled disturbances, shorter runs.
 #
-# Needs   build/bin/transients-*, eigen-* and simulate-* (make test-programs)
+# Needs   build/bin/mlg and eigen-* (make test-programs)
 # Writes  build/tests/transients
 
 bats_require_minimum_version 1.5.0
@@ -18,13 +18,13 @@ setup() {
   cd "$SCRATCH" || return
 }
 
-li2=(transients-li2 c_d=15289 k_s=1.4047e6 b=140)
+li2=(transients li2 c_d=15289 k_s=1.4047e6 b=140)
 
 @test "a small disturbance decays at the rate of the least damped eigenvalue, in every layout" {
   local layout gear
   while read -r layout gear; do
     # shellcheck disable=SC2086 # one word for each parameter
-    near "$(cell dstar_end "transients-$layout" dpsi=0.01 ddelta=0 $gear)" \
+    near "$(cell dstar_end transients "$layout" dpsi=0.01 ddelta=0 $gear)" \
       "$("build/bin/eigen-$layout" eigenvalues $gear | awk 'NR == 2 { print -$1 }')" 1e-4 "decay rate of $layout $gear"
   done <<'END'
 l1 c_d=2900 V=45
@@ -37,14 +37,14 @@ END
 
 @test "the rate and the damping ratio in the table are those of the eigenvalue" {
   local rate im
-  read -r rate im _ < <(build/bin/eigen-li2 eigenvalues "${li2[@]:1}" V=30 | sed -n 2p)
+  read -r rate im _ < <(build/bin/eigen-li2 eigenvalues "${li2[@]:2}" V=30 | sed -n 2p)
   near "$(cell rate "${li2[@]}" V=30)" "${rate#-}" 1e-5 rate
   near "$(cell zeta "${li2[@]}" V=30)" "$(awk -v re="$rate" -v im="$im" 'BEGIN { print -re / sqrt(re ^ 2 + im ^ 2) }')" 1e-5 zeta
 }
 
 @test "a mirrored disturbance leaves peaks and settling times as they are" {
-  build/bin/transients-li1 c_d=1e4 k_s=6.38e5 b=140 V=30 > plus
-  build/bin/transients-li1 c_d=1e4 k_s=6.38e5 b=140 V=30 dpsi=-1 ddelta=-0.45 > minus
+  build/bin/mlg transients li1 c_d=1e4 k_s=6.38e5 b=140 V=30 > plus
+  build/bin/mlg transients li1 c_d=1e4 k_s=6.38e5 b=140 V=30 dpsi=-1 ddelta=-0.45 > minus
   awk -F, '
     NR == FNR { for (k = 1; k <= NF; k++) was[FNR, k] = $k; next }
     { for (k = 1; k <= NF; k++) if ($k != was[FNR, k] && !(($k - was[FNR, k]) ^ 2 < 1e-10 * $k ^ 2)) { print $k " is not " was[FNR, k]; bad = 1 } }
@@ -68,7 +68,7 @@ END
 # the history of the other program, at its own tolerance: no extremum is above 5 % any more
 # after the settling time, and one is just before it
 settles_in_history() { # LAYOUT SETTLED T_END PARAMETER...
-  "build/bin/simulate-$1" history "${@:4}" t_end="$3" dt=0.002 rtol=1e-9 | awk -F, -v settled="$2" '
+  build/bin/mlg simulate "$1" history "${@:4}" t_end="$3" dt=0.002 rtol=1e-9 | awk -F, -v settled="$2" '
     /^#/ { next }
     !named++ { for (k = 1; k <= NF; k++) place[$k] = k; next }
     {
@@ -81,28 +81,28 @@ settles_in_history() { # LAYOUT SETTLED T_END PARAMETER...
 
 @test "a settling time is that of the mode that is seen, not of the least damped one" {
   local li1=(c_d=13558.65 k_s=6.38e5 b=140 V=20) settled
-  settled=$(cell dstar_5 transients-li1 "${li1[@]}" dpsi=0)
+  settled=$(cell dstar_5 transients li1 "${li1[@]}" dpsi=0)
   near "$settled" 52.5 0.002 "LI1 at V = 20" # 1540 by the rate of its psi mode
   settles_in_history li1 "$settled" 70 "${li1[@]}" ddelta=0.45
 }
 
 @test "a long settling time is integrated too" {
   local l1=(c_d=2754.86 V=45) settled
-  settled=$(cell dstar_5 transients-l1 "${l1[@]}" dpsi=0)
+  settled=$(cell dstar_5 transients l1 "${l1[@]}" dpsi=0)
   settles_in_history l1 "$settled" "$(awk -v t="$settled" 'BEGIN { print t * 1.1 }')" "${l1[@]}" ddelta=0.45
 }
 
 @test "the table has the speed at which zeta of L1 is least" {
-  build/bin/transients-l1 c_d=2754.86 t_end=1 > table
+  build/bin/mlg transients l1 c_d=2754.86 t_end=1 > table
   near "$(awk -F, 'NR > 1 && (least == "" || $10 < least) { least = $10; V = $1 } END { print V }' table)" \
-    "$(cell V damping-l1 c_d=2754.86)" 1e-3 "worst speed"
+    "$(cell V damping l1 c_d=2754.86)" 1e-3 "worst speed"
   awk -F, 'NR > 2 && $1 < V { print "not ascending"; bad = 1 } { V = $1 } END { exit bad || NR < 83 }' table
 }
 
 @test "peak and settling time are those of a history" {
   local psi_max psi_5
-  psi_max=$(cell psi_max transients-l1 c_d=2900 V=60 ddelta=0) psi_5=$(cell psi_5 transients-l1 c_d=2900 V=60 ddelta=0)
-  build/bin/simulate-l1 history c_d=2900 V=60 dpsi=1 t_end=5 dt=0.0005 | awk -F, -v peak="$psi_max" -v settled="$psi_5" '
+  psi_max=$(cell psi_max transients l1 c_d=2900 V=60 ddelta=0) psi_5=$(cell psi_5 transients l1 c_d=2900 V=60 ddelta=0)
+  build/bin/mlg simulate l1 history c_d=2900 V=60 dpsi=1 t_end=5 dt=0.0005 | awk -F, -v peak="$psi_max" -v settled="$psi_5" '
     /^#/ { next }
     !named++ { for (k = 1; k <= NF; k++) place[$k] = k; next }
     {
@@ -117,15 +117,15 @@ settles_in_history() { # LAYOUT SETTLED T_END PARAMETER...
 }
 
 @test "an unstable gear does not settle, not even one that seems to at first" {
-  [ "$(cell psi_5 transients-l1 c_d=3.6e4 V=20 ddelta=0)" = inf ]
-  [ "$(cell psi_5 transients-l1 c_d=3020 V=36.05 ddelta=0)" = inf ]
+  [ "$(cell psi_5 transients l1 c_d=3.6e4 V=20 ddelta=0)" = inf ]
+  [ "$(cell psi_5 transients l1 c_d=3020 V=36.05 ddelta=0)" = inf ]
 }
 
 @test "slips are refused in one line with status 2" {
   local slip
   while read -r slip; do
     # shellcheck disable=SC2086 # one word for each argument
-    run --separate-stderr build/bin/transients-l1 $slip
+    run --separate-stderr build/bin/mlg transients l1 $slip
     # shellcheck disable=SC2154 # set by run
     [ "$status" -eq 2 ] && [ "${#stderr_lines[@]}" -eq 1 ] || { echo "$slip: status $status, $stderr"; return 1; }
   done <<'END'
@@ -138,6 +138,6 @@ psi=1
 c_d
 c_d=-1
 END
-  run --separate-stderr build/bin/transients-l1 V=20 dpsi=1e4
+  run --separate-stderr build/bin/mlg transients l1 V=20 dpsi=1e4
   [ "$status" -eq 1 ] && [ "${#stderr_lines[@]}" -eq 1 ]
 }

@@ -6,6 +6,8 @@
 #ifndef LIBMLG_LAYOUT_H
 #define LIBMLG_LAYOUT_H
 
+#include <complex.h>
+
 #include "libmlg.h"
 #include "mlg.h"
 
@@ -36,5 +38,14 @@ void libmlg_points_and_intervals(int layout, const double par[], double zeta, do
 
 /* The eigenvalues of libmlg_eigenvalues(), at slots; how many, or LIBMLG_FAILED. */
 int libmlg_spectrum(const struct libmlg_layout *l, const double slots[], double re[], double im[]);
+
+/* The mode whose eigenvalue is nearest to re + i im, at slots, with its eigenvectors
+ * unless NULL; 0 or LIBMLG_FAILED. */
+int libmlg_mode_near(const struct libmlg_layout *l, const double slots[], double re, double im,
+                     struct libmlg_mode *mode, double _Complex right[], double _Complex left[]);
+
+/* libmlg_criticality() of any right-hand side that has the states of a gear. */
+int libmlg_normal_form(const struct libmlg_layout *l, const double slots[], double omega,
+                       struct libmlg_mode *mode, double *a);
 
 #endif

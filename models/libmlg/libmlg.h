@@ -103,6 +103,91 @@ int libmlg_torque(int layout, const double par[], const double u[], double *T_d)
  * Returns 0, LIBMLG_NONE: no such layout, LIBMLG_FAILED: the Jacobian is not finite. */
 int libmlg_eigenvalues(int layout, const double par[], double re[], double im[], int *n);
 
+/* An oscillation of straight rolling, with growth exp(re t). */
+struct libmlg_mode {
+  double V;              /* m/s */
+  double re, im;         /* its eigenvalue, 1/s, im >= 0 */
+  double zeta;           /* damping ratio -re / |re + i im|; below 0 it grows */
+  double frequency_hz;   /* im / (2 pi) */
+  double delta_over_psi; /* ratio of amplitudes; above 1 it is delta-shimmy */
+};
+
+/* The mode of the least damping ratio at the V of par[], above 0.  A real eigenvalue does
+ * not oscillate: it has zeta = 1 and never counts; one that grows (divergence) has -1
+ * and always does.
+ * Returns as libmlg_eigenvalues. */
+int libmlg_least_damped(int layout, const double par[], struct libmlg_mode *mode);
+
+/* The same where zeta is least between two speeds, m/s, to 1e-5 of their difference,
+ * where one minimum lies there; and over all speeds above 0 up to V_top, from 60 that
+ * are dense at low speed. */
+int libmlg_least_damped_between(int layout, const double par[], double V_lo, double V_hi,
+                                struct libmlg_mode *mode);
+int libmlg_least_damped_to(int layout, const double par[], double V_top, struct libmlg_mode *mode);
+
+/* Is the Hopf point of the mode nearest to i omega, rad/s, subcritical (*a > 0: unstable
+ * shimmy beside the stable gear) or supercritical?  The amplitude r of psi, rad, obeys
+ * r' = sigma r + *a r^3 near it, *a in 1/s per rad^2; for that of delta divide by
+ * delta_over_psi^2.  Kuznetsov, Elements of Applied Bifurcation Theory, Section 5.4;
+ * derivatives by differences, good to 1e-7.
+ * Returns as libmlg_eigenvalues. */
+int libmlg_criticality(int layout, const double par[], double omega, struct libmlg_mode *mode, double *a);
+
+/* d(re)/d(parameter) of the mode nearest to re + i im, 1/s per its unit; good to 1e-8. */
+int libmlg_growth_slope(int layout, const double par[], const struct libmlg_mode *mode, int parameter,
+                        double *slope);
+
+/* --- integration in time (SUNDIALS) ---------------------------------------------------- */
+
+/* A run.  Starting again keeps all memory, so that thousands of runs cost their steps
+ * only:
+ *
+ *   libmlg_run_begin(&run, layout, 1e-10);
+ *   libmlg_run_section(&run, libmlg_state(layout, "dpsi"), -1);   peaks of psi
+ *   libmlg_run_start(&run, par, u);                               at t = 0
+ *   while ((reached = libmlg_run_to(&run, t_end)) > LIBMLG_AT_TIME)
+ *     ...                                                         run.t, run.u: a peak, or a limit
+ *   libmlg_run_end(&run);
+ *
+ * The struct may not be copied or moved meanwhile. */
+struct libmlg_run {
+  double t, u[LIBMLG_MOST_STATES]; /* where it is: time, s, and states */
+  long limits;                     /* how often a slip angle passed alpha_m since the start */
+  char error[200];                 /* why it failed, in one line */
+  struct libmlg_integrator *integrator; /* its own */
+};
+
+/* What libmlg_run_to comes to. */
+enum {
+  LIBMLG_AT_TIME,    /* the time asked for */
+  LIBMLG_AT_SECTION, /* a crossing of the section before it */
+  LIBMLG_AT_LIMIT    /* a tyre whose slip angle passes alpha_m before it */
+};
+
+/* Makes ready for runs with the relative tolerance rtol of a step, relative to the size
+ * of the oscillation.  Returns 0, LIBMLG_NONE: no such layout, LIBMLG_FAILED: memory is
+ * short. */
+int libmlg_run_begin(struct libmlg_run *run, int layout, double rtol);
+
+/* A new run from the states u[] at t = 0. */
+void libmlg_run_start(struct libmlg_run *run, const double par[], const double u[]);
+
+/* From here on the run stops where the state passes 0: upwards (direction 1), downwards
+ * (-1) or both ways (0).  State -1: nowhere.  A start on the section is no crossing. */
+void libmlg_run_section(struct libmlg_run *run, int state, int direction);
+
+/* On to the time t, s, or to what comes before it; LIBMLG_FAILED: run->error says why, and
+ * run->t and run->u are of the last good step. */
+int libmlg_run_to(struct libmlg_run *run, double t);
+
+/* Frees all; also after a begin that failed, or a second time. */
+void libmlg_run_end(struct libmlg_run *run);
+
+/* What a state counts in: 1 rad, 1 m or 100 rad/s; and the size of an oscillation: its
+ * largest state so counted, 1e-12 at least.  NaN, and 1e-12: no such layout or state. */
+double libmlg_state_size(int layout, int state);
+double libmlg_oscillation_size(int layout, const double u[]);
+
 /* --- straight rolling: where it is stable ---------------------------------------------
  *
  * par[] as above; its V and c_d do not matter where they are asked for.  A result is

@@ -146,6 +146,21 @@ static void take_gear(struct arguments *a)
   }
 }
 
+/* The M that F_z stands for. */
+static void settle_load(struct arguments *a)
+{
+  const double M = a->F_z / a->par[NUMBER_G] - a->par[NUMBER_M_D];
+
+  if (!a->F_z_word)
+    return;
+  if (a->word[NUMBER_M])
+    refuse(a->command, a->F_z_word, "M is given already, by '%.200s'", a->word[NUMBER_M]);
+  if (!(M >= libmlg_least(NUMBER_M) && M <= libmlg_most(NUMBER_M)))
+    refuse(a->command, a->F_z_word, "makes M = F_z/g - m_D = %g kg, outside its range, %g to %g kg", M,
+           libmlg_least(NUMBER_M), libmlg_most(NUMBER_M));
+  a->par[NUMBER_M] = M;
+}
+
 /* Whether the device cannot tell this value from none. */
 static bool is_neutral(enum parameter_number n, double value)
 {
@@ -156,20 +171,27 @@ void end_arguments(struct arguments *a)
 {
   if (a->gear_word)
     take_gear(a);
-  if (a->F_z_word) {
-    const double M = a->F_z / a->par[NUMBER_G] - a->par[NUMBER_M_D];
-
-    if (a->word[NUMBER_M])
-      refuse(a->command, a->F_z_word, "M is given already, by '%.200s'", a->word[NUMBER_M]);
-    if (!(M >= libmlg_least(NUMBER_M) && M <= libmlg_most(NUMBER_M)))
-      refuse(a->command, a->F_z_word, "makes M = F_z/g - m_D = %g kg, outside its range, %g to %g kg", M,
-             libmlg_least(NUMBER_M), libmlg_most(NUMBER_M));
-    a->par[NUMBER_M] = M;
-  }
+  settle_load(a);
   for (int n = 0; n < NUMBERS; n++)
     if (a->word[n] && !is_neutral(n, a->par[n]) && !libmlg_uses(a->layout, n))
       refuse(a->command, a->word[n], "layout %s has no %s", libmlg_layout_name(a->layout),
              libmlg_parameter_quantity(n)->name);
+}
+
+void retake_value(struct arguments *a, const char *word, size_t length, double value)
+{
+  for (int n = 0; n < NUMBERS; n++)
+    if (a->word[n] == word)
+      a->word[n] = NULL;
+  for (struct option *o = a->option; o && o->name; o++)
+    if (o->word == word)
+      o->word = NULL;
+  if (a->V_top_word == word)
+    a->V_top_word = NULL;
+  if (a->F_z_word == word)
+    a->F_z_word = NULL;
+  take_value(a, word, length, value);
+  settle_load(a);
 }
 
 void begin_arguments(struct arguments *a, int argc, char *argv[], struct option option[])

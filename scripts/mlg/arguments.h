@@ -59,6 +59,9 @@ void end_arguments(struct arguments *a);
 /* What word gives to the name that is its first length characters: checked as above. */
 void take_value(struct arguments *a, const char *word, size_t length, double value);
 
+/* Another value for a name that this word has given, once the arguments have ended. */
+void retake_value(struct arguments *a, const char *word, size_t length, double value);
+
 /* Refuses a parameter that was given although the command varies it. */
 void refuse_given(const struct arguments *a, enum parameter_number n, const char *right);
 

@@ -13,7 +13,7 @@
 
 #include "arguments.h"
 #include "command.h"
-#include "points.h"
+#include "boundary.h"
 
 enum { MOST_NODES = 2048 };
 

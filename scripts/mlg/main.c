@@ -13,24 +13,14 @@
 #include "command.h"
 
 /* Each stands in scripts/mlg/NAME.c. */
-extern const struct command command_curves;
-extern const struct command command_eigenvalues;
-extern const struct command command_hopf;
-extern const struct command command_intervals;
-extern const struct command command_limits;
-extern const struct command command_points;
-extern const struct command command_regions;
-extern const struct command command_widest;
+extern const struct command command_boundary, command_hopf, command_intervals, command_regions, command_widest;
+extern const struct command command_limits, command_curves, command_eigenvalues, command_damping, command_transients;
+extern const struct command command_criticality, command_simulate, command_search, command_draw, command_gear;
 
 static const struct command *const commands[] = {
-  &command_curves,
-  &command_eigenvalues,
-  &command_hopf,
-  &command_intervals,
-  &command_limits,
-  &command_points,
-  &command_regions,
-  &command_widest,
+  &command_boundary, &command_hopf, &command_intervals, &command_regions, &command_widest,
+  &command_limits, &command_curves, &command_eigenvalues, &command_damping, &command_transients,
+  &command_criticality, &command_simulate, &command_search, &command_draw, &command_gear,
 };
 
 enum { COMMANDS = sizeof commands / sizeof *commands };

@@ -5,9 +5,9 @@
 #
 # Beside a Hopf point at c_d = c_0 the cycle whose largest psi is r has
 # c_d = c_0 + c_2 r^2 + ...; the normal form gives c_2 = -a / (d sigma/d c_d)
-# (tests/criticality.h).  AUTO follows the cycles through the first small amplitudes,
+# (models/libmlg/normal_form.c).  AUTO follows the cycles through the first small amplitudes,
 # and two of them extrapolate (c_d - c_0) / r^2 to r = 0.
-# Needs:  eigen-LAYOUT
+# Needs:  eigen-LAYOUT, build/bin/mlg (make test-programs)
 # Prints: rows what,unit,ours,oracle,tolerance (no header): ours AUTO's c_2.
 #         Last, how many boundary points of results/boundary_points.csv with c_d from 100
 #         to 8e4 N m s/rad and V above 0.2 m/s are subcritical: none.
@@ -24,7 +24,7 @@ check() {
     | awk -v n="$5" 'NR == n + 1 { print $1, $2 }')
   hopf_start "$name.start" "$layout" "$V" 0.001 k_s="$k_s" b="$b" c_d="$c_d" >&2
   run "$name" "$layout.cycles" from="$name.start" DS=0.02 DSMAX=0.02 NMX=9 EPSL=1e-10 EPSU=1e-10 -- EP=1 >&2
-  IFS=, read -r _ _ _ _ a slope < <(echo "$V,$c_d,$k_s,$b,$frequency" | "build/bin/eigen-$1" criticality | sed 1d)
+  IFS=, read -r _ _ _ _ a slope < <(echo "$V,$c_d,$k_s,$b,$frequency" | build/bin/mlg criticality "$1" | sed 1d)
   awk -v what="c_2 at V = $V; c_d = $(printf %.6g "$c_d") ($layout; b = $b)" -v a="$a" -v slope="$slope" -f scripts/auto.awk -f <(echo '
     { n++; c = value["c_d"]; r = value["psi_max"] * atan2(0, -1) / 180; if (n == 1) c_0 = c; else { square[n] = r ^ 2; y[n] = (c - c_0) / square[n] } }
     END {
@@ -47,6 +47,6 @@ check li2 2.48e6 140 20 2
 for layout in l2 li1 li2; do
   awk -F, -v layout="$layout" '$1 == layout && $5 == "" && $7 >= 100 && $7 <= 8e4 && $8 > 0.2 {
     print $8 "," $7 "," ($6 == "inf" ? 1e30 : $6) "," $2 "," $9 }' results/boundary_points.csv \
-    | "build/bin/eigen-$layout" criticality
+    | build/bin/mlg criticality "$layout"
 done | awk -F, '$1 + 0 > 0 { n++; subcritical += !($5 < 0) } END {
   printf "subcritical ones of %d boundary points over k_s and b,points,%d,0,0 points\n", n, subcritical }'

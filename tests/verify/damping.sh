@@ -51,7 +51,7 @@ rates
 # L1's best c_d is where the boundaries of that ratio meet, of psi from below and delta
 # from above; zeta of delta hardly changes with c_d, 5e-9 of it by 0.05 N m s/rad
 IFS=, read -r _ _ _ _ c_d zeta _ < <(grep '^l1,paper' results/damping.csv)
-zeta=$("build/bin/damping-l1" c_d="$c_d" | awk -F, 'NR == 2 { print $1 }')
+zeta=$(build/bin/mlg damping l1 c_d="$c_d" | awk -F, 'NR == 2 { print $1 }')
 mapfile -t points < <(scan_points l1 0 0)
 for i in 0 1; do
   name=verify.damping.$i

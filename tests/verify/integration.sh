@@ -4,7 +4,7 @@
 #
 #   tests/verify/integration.sh [short]
 #
-# Needs:  simulate-l1 and eigen-l1 (make test-programs); the full form makes the
+# Needs:  build/bin/mlg and eigen-l1 (make test-programs); the full form makes the
 #         runs of Figure 6(a), if they are not there, and two from them.
 # Prints: rows what,unit,ours,oracle,tolerance (no header).  ours: AUTO's, from
 #         results/special_points.csv or those runs; of growth rates the eigenvalue.
@@ -36,8 +36,8 @@ cell() {
 
 special() { cell "$1" "$2" < results/special_points.csv; } # NAME WHERE
 
-simulated() { # WORD...: the table of simulate-l1; empty if it fails, which it says
-  build/bin/simulate-l1 "$@" || true
+simulated() { # WORD...: the table of mlg simulate; empty if it fails, which it says
+  build/bin/mlg simulate l1 "$@" || true
 }
 
 # orbit WHAT AUTO WORD...: rows of the solution that simulate settles on, against

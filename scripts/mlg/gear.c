@@ -1,10 +1,10 @@
-/* gear - the landing gear and what its letters mean: side, rear and top view
+/* gear.c - the landing gear and what its letters mean: side, rear and top view
  *
- *   gear
- *
- * Prints SVG.  x points forward, y to the right, z down, as in models/mlg.h;
- * not to scale, rake and angles larger than they are.
+ * x points forward, y to the right, z down, as in models/mlg.h; not to scale, rake and
+ * angles larger than they are.
  */
+#include "arguments.h"
+#include "command.h"
 #include "svg.h"
 
 struct at { double x, y; }; /* on the page, px */
@@ -187,12 +187,22 @@ static void top_view(double x0)
   svg_note(x0, foot, "middle", "(c) from above");
 }
 
-int main(void)
+static int gear(int argc, char *argv[])
 {
+  if (argc > 1)
+    refuse(argv[0], argv[1], "expected nothing behind the command");
   svg_begin(960., 426., "the landing gear");
   side_view(130.);
   rear_view(470.);
   top_view(800.);
   svg_end();
-  return 0;
+  return output_status(argv[0]);
 }
+
+const struct command command_gear = {
+  .name = "gear",
+  .usage = "",
+  .summary = "a drawing of the landing gear with its letters, as SVG",
+  .details = "Side, rear and top view, not to scale: docs/drawings/gear.svg.\n",
+  .run = gear,
+};

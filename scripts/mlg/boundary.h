@@ -1,6 +1,6 @@
-/* points.h - how boundary points are named in tables */
-#ifndef MLG_POINTS_H
-#define MLG_POINTS_H
+/* boundary.h - how boundary points are named in tables */
+#ifndef MLG_COMMAND_BOUNDARY_H
+#define MLG_COMMAND_BOUNDARY_H
 
 #include "libmlg.h"
 

@@ -1,10 +1,10 @@
-/* points.c - Hopf points, boundary points and zero-shimmy intervals at one k_s and b */
+/* boundary.c - Hopf points, boundary points and zero-shimmy intervals at one k_s and b */
 #include <math.h>
 #include <stdio.h>
 
 #include "arguments.h"
 #include "command.h"
-#include "points.h"
+#include "boundary.h"
 
 static struct option options[] = {
   { "V_least", "m/s", 0., 1e3, 0., NULL },
@@ -51,7 +51,7 @@ static void print_points(const struct libmlg_point point[], int n, int with_kind
   }
 }
 
-static int run_points(int argc, char *argv[])
+static int run_boundary(int argc, char *argv[])
 {
   struct libmlg_point point[LIBMLG_MOST_POINTS];
   struct arguments a;
@@ -104,8 +104,8 @@ static int run_intervals(int argc, char *argv[])
   return output_status(argv[0]);
 }
 
-const struct command command_points = {
-  .name = "points",
+const struct command command_boundary = {
+  .name = "boundary",
   .usage = "LAYOUT [NAME=VALUE ...] [V_least=0] [zeta=0]",
   .summary = "boundary points: where regions of shimmy begin and end in c_d",
   .details =
@@ -117,7 +117,7 @@ const struct command command_points = {
     "                range there (V_least = 0: as V goes to 0)\n"
     "  shimmy        psi or delta, the larger amplitude\n"
     "zeta: boundary of that damping ratio instead.\n",
-  .run = run_points,
+  .run = run_boundary,
 };
 
 const struct command command_hopf = {
@@ -125,7 +125,7 @@ const struct command command_hopf = {
   .usage = "LAYOUT V=VALUE|c_d=VALUE [NAME=VALUE ...] [V_least=0] [zeta=0]",
   .summary = "all Hopf points at one V or at one c_d",
   .details =
-    "By rising c_d or V; columns as those of `mlg points`.  zeta: points of that damping ratio.\n",
+    "By rising c_d or V; columns as those of `mlg boundary`.  zeta: points of that damping ratio.\n",
   .run = run_hopf,
 };
 
@@ -137,7 +137,7 @@ const struct command command_intervals = {
     "All of them, exactly: no shimmy at any V_least < V < V_top.  CSV:\n"
     "  c_lo, c_hi, width  N m s/rad; c_hi may be inf\n"
     "  V_lo, V_hi         m/s, where the bounds are\n"
-    "  lower, upper       what bounds it, as extremum of `mlg points`; none: c_d of 0 or inf\n"
+    "  lower, upper       what bounds it, as extremum of `mlg boundary`; none: c_d of 0 or inf\n"
     "zeta: intervals in which every oscillation has at least that damping ratio.\n",
   .run = run_intervals,
 };

@@ -1,55 +1,23 @@
-/* draw - the device of a layout as the field draws it
+/* draw.c - the device of a layout as the field draws it
  *
- *   draw-LAYOUT
- *
- * Prints SVG.  What it draws is device_network() of the layout: the words of
- * network.h, which elsewhere make a stiffness, here make the tree to draw.  An
- * element is called by the parameter it is written with, or else as it is written:
- * par[PAR_K_S] is k_s, and c_s is c_s.  Wheels left, strut right; zigzag: spring, piston: damper, box
- * in a bracket: inerter.
+ * Wheels left, strut right; zigzag: spring, piston: damper, box in a bracket: inerter.
  */
-#include <stdlib.h>
+#include <string.h>
 
+#include "arguments.h"
+#include "command.h"
+#include "drawn.h"
 #include "svg.h"
 
-enum kind { SPRING, DAMPER, INERTER, PARALLEL, SERIES };
+#define L(name) extern const struct drawn drawn_##name;
+#include "layouts.h"
+#undef L
 
-struct network { /* a group has its parts, an element the text of its value */
-  enum kind kind;
-  const char *text;
-  const struct network *a, *b;
+static const struct drawn *const drawings[] = {
+#define L(name) &drawn_##name,
+#include "layouts.h"
+#undef L
 };
-
-static const struct network *kept(struct network part)
-{
-  struct network *copy = malloc(sizeof *copy);
-
-  if (!copy) {
-    fputs("draw: no memory\n", stderr);
-    exit(1);
-  }
-  *copy = part;
-  return copy;
-}
-
-#define MLG_NETWORK_H
-#define spring(value) element_of(SPRING, value, #value)
-#define damper(value) element_of(DAMPER, value, #value)
-#define inerter(value) element_of(INERTER, value, #value)
-static inline struct network element_of(enum kind kind, double value, const char *text)
-{
-  (void)value;
-  return (struct network){ .kind = kind, .text = text };
-}
-
-#define GROUP(word, KIND) \
-  static inline struct network word(struct network a, struct network b) \
-  { return (struct network){ .kind = KIND, .a = kept(a), .b = kept(b) }; }
-GROUP(parallel, PARALLEL)
-GROUP(series, SERIES)
-
-#define MLG_NO_AUTO
-#include LAYOUT
 
 static const double element = 104., lead = 14., above = 42., below = 18.; /* px */
 
@@ -60,9 +28,9 @@ struct size { double width, over, under; };
  * the last one's.  Parallel parts of a parallel network are branches of it. */
 struct branches { double width, height, first, last; };
 
-static struct size size(const struct network *n);
+static struct size size(const struct part *n);
 
-static struct branches branches(const struct network *n)
+static struct branches branches(const struct part *n)
 {
   if (n->kind != PARALLEL) {
     const struct size s = size(n);
@@ -73,7 +41,7 @@ static struct branches branches(const struct network *n)
   return (struct branches){ fmax(a.width, b.width), a.height + b.height, a.first, b.last };
 }
 
-static struct size size(const struct network *n)
+static struct size size(const struct part *n)
 {
   if (n->kind == SERIES) {
     const struct size a = size(n->a), b = size(n->b);
@@ -98,7 +66,7 @@ static const char *name(const char *text)
 }
 
 /* One element on its line y between x and x + width. */
-static void draw_element(const struct network *n, double x, double y, double width)
+static void draw_element(const struct part *n, double x, double y, double width)
 {
   const double middle = x + width / 2., left = middle - 27., right = middle + 27.;
 
@@ -116,10 +84,10 @@ static void draw_element(const struct network *n, double x, double y, double wid
   svg_name(middle, y - 22., "middle", name(n->text));
 }
 
-static void draw(const struct network *n, double x, double y, double width);
+static void draw(const struct part *n, double x, double y, double width);
 
 /* Branches one below the other, from top downwards. */
-static void draw_branches(const struct network *n, double x, double top, double width)
+static void draw_branches(const struct part *n, double x, double top, double width)
 {
   if (n->kind == PARALLEL) {
     draw_branches(n->a, x, top, width);
@@ -129,7 +97,7 @@ static void draw_branches(const struct network *n, double x, double top, double 
 }
 
 /* A network from x on, its line at y, stretched to width. */
-static void draw(const struct network *n, double x, double y, double width)
+static void draw(const struct part *n, double x, double y, double width)
 {
   if (n->kind == SERIES) {
     const double a = size(n->a).width * width / size(n).width;
@@ -148,17 +116,26 @@ static void draw(const struct network *n, double x, double y, double width)
     draw_element(n, x, y, width);
 }
 
-int main(void)
+static int run(int argc, char *argv[])
 {
-  const char layout[] = LAYOUT;
-  const double par[36] = { 0. };
+  struct arguments a;
+  const struct drawn *drawn = NULL;
   char title[80];
 
-  const struct network device = device_network(par);
+  read_arguments(&a, argc < 2 ? argc : 2, argv, NULL);
+  if (argc > 2)
+    refuse(argv[0], argv[2], "expected nothing behind the layout");
+  for (size_t i = 0; i < sizeof drawings / sizeof *drawings; i++)
+    if (strcmp(drawings[i]->layout, argv[1]) == 0)
+      drawn = drawings[i];
+  if (!drawn)
+    refuse(argv[0], argv[1], "there is no drawing of this layout");
+
+  const struct part device = drawn->device();
   const struct size s = size(&device);
   const double margin = 74., y = 12. + s.over, wall = margin + s.width;
 
-  snprintf(title, sizeof title, "the device of layout %.*s", (int)strcspn(layout, "."), layout);
+  snprintf(title, sizeof title, "the device of layout %s", argv[1]);
   svg_begin(s.width + 2. * margin, s.over + fmax(s.under, 44.) + 12., title);
   draw(&device, margin, y, s.width);
   svg_circle("solid", margin, y, 4.);
@@ -168,5 +145,16 @@ int main(void)
   svg_hatching(wall, y - 30., wall, y + 30.);
   svg_note(wall + 14., y + 5., "start", "strut");
   svg_end();
-  return 0;
+  return output_status(argv[0]);
 }
+
+const struct command command_draw = {
+  .name = "draw",
+  .usage = "LAYOUT",
+  .summary = "a drawing of the layout's device, as SVG",
+  .details =
+    "What it draws is device_network() of the layout.  An element is called by the parameter\n"
+    "it is written with, or else as it is written: par[PAR_K_S] is k_s, and c_s is c_s.\n"
+    "Wheels left, strut right; zigzag: spring, piston: damper, box in a bracket: inerter.\n",
+  .run = run,
+};
