@@ -296,7 +296,7 @@ build/bin/random-compare: tests/random/compare.c $(random) build/lib/libmlg.a Ma
 test-programs: build/bin/random-oracle build/bin/random-compare
 
 .PHONY: prove
-prove: build/bin/random-compare build/bin/random-oracle ## 2000 random gears, all layouts, against the oracle; three minutes on two cores
+prove: build/bin/random-compare build/bin/random-oracle ## 2000 random gears, all layouts, against the oracle; two minutes on two cores
 	@build/bin/random-compare hard tests/random/hard.csv
 	@build/bin/random-compare units 100
 	@build/bin/random-compare 1000 first=1000 2> /dev/null & other=$$!; \

@@ -9,7 +9,8 @@
  * k_s              1e5 to 1e7 N m/rad, even in the logarithm; rigid in a tenth
  * b                0 in a tenth, else 0 to 300 N m s^2/rad, half of them even, half even in
  *                  the logarithm from 1
- * V_top            50 to 400 m/s in a third, else 200
+ * V_top            50 to 400 m/s in a third; 5 to 60, even in the logarithm, in a sixth, so that
+ *                  Hopf curves leave there; else 200
  */
 #include "gears.h"
 
@@ -78,8 +79,13 @@ struct oracle_gear random_gear(uint64_t seed, int number, double spread)
   const double which = stream_next(&stream), b = stream_next(&stream);
 
   gear.b = which < 0.1 ? 0. : which < 0.55 ? 300. * b : pow(300., b);
-  if (stream_next(&stream) < 1. / 3.)
+
+  const double range = stream_next(&stream);
+
+  if (range < 1. / 3.)
     gear.V_top = stream_between(&stream, 50., 400.);
+  else if (range < 1. / 2.)
+    gear.V_top = 5. * pow(12., stream_next(&stream));
   return gear;
 }
 

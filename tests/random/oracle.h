@@ -76,8 +76,7 @@ struct oracle_answer {
   struct oracle_interval interval[ORACLE_MOST]; /* by rising c_d */
   int unresolved;         /* cells of c_d, 1e-9 wide, of which it cannot say what is inside */
   double unresolved_c;    /* one of them */
-  double near_miss;       /* least relative distance, in c_d, of an event that all but joins two
-                             intervals or opens one: the narrowest interval or gap found */
+  double near_miss;       /* the narrowest interval or gap between two, in ln c_d */
   int evaluations;        /* eigenvalue problems at a c_d or a V */
 };
 
