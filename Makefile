@@ -54,7 +54,7 @@ setup: build/auto.mk ## packages and AUTO only
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
-need_test_packages := bench test% check-scripts certify% verify build/bin/eigen-%
+need_test_packages := prove bench test% check-scripts certify% verify build/bin/eigen-%
 auto_given := $(AUTO_DIR)
 ifneq ($(filter-out help clean distclean libmlg build/lib/% build/bin/mlg drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
@@ -316,6 +316,28 @@ $(oracles): build/bin/eigen-%: tests/eigen.c models/%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> $@"
 	@$(call compiled,$(CC) $(CFLAGS) $(to_test_layout) $< $(lapack) -lm)
+
+# --- proof of completeness: random gears against tests/random/oracle.c ----------
+# The oracle shares nothing with the library; random-compare links the library.
+random := $(wildcard tests/random/*.h) $(addprefix tests/random/,matrix.c oracle.c samples.c gears.c)
+random_cc = $(call compiled,$(CC) $(CFLAGS) -Imodels -Imodels/libmlg $(filter %.c %.a,$^) $(numerics))
+
+build/bin/random-oracle: tests/random/table.c $(random) Makefile
+	@mkdir -p $(@D)
+	@$(random_cc)
+
+build/bin/random-compare: tests/random/compare.c $(random) build/lib/libmlg.a Makefile
+	@mkdir -p $(@D)
+	@$(random_cc)
+
+test-programs: build/bin/random-oracle build/bin/random-compare
+
+.PHONY: prove
+prove: build/bin/random-compare build/bin/random-oracle ## 2000 random gears, all layouts, against the oracle; two minutes on two cores
+	@build/bin/random-compare hard tests/random/hard.csv
+	@build/bin/random-compare units 100
+	@build/bin/random-compare 1000 first=1000 2> /dev/null & other=$$!; \
+	  build/bin/random-compare 1000; status=$$?; wait $$other && exit $$status
 
 clean: ## the runs and the models; AUTO and its tarball stay
 	rm -rf build/runs build/tables build/constants build/models build/lib build/libmlg build/mlg build/bin build/tests
