@@ -37,7 +37,7 @@ by_eigenvalues() { # LAYOUT PARAMETER...
     srand(1201)
     split("l1 l2 li1 li2", layout, " ")
     for (i = 0; i < 80; i++)
-      printf "%s %.6g %.6g %.6g %.6g\n", layout[i % 4 + 1], 0.2 + 199 * rand(), 200 * exp(6 * rand()), 3e5 * exp(3 * rand()), i % 4 < 2 ? 0 : 200 * rand() }')
+      printf "%s %.6g %.6g %.6g %.6g\n", layout[i % 4 + 1], 0.2 + 199 * rand(), 200 * exp(6 * rand()), 3e5 * exp(3 * rand()), (i % 4 < 2 ? 0 : 200 * rand()) }')
   [ "$n" -eq 80 ]
 }
 
