@@ -12,11 +12,17 @@ override CFLAGS += -std=c11
 TEST_CFLAGS = -O1 -g -std=c11 -Wall -Wextra -Wpedantic -Werror -fsanitize=address,undefined \
               -fno-sanitize-recover=all
 SHELL = /bin/bash
+ifeq ($(origin CC),default)
+CC = gcc
+endif
+# users' own, which would change what tools read and say (scripts/tools.sh)
+export LC_ALL = C
+unexport CDPATH POSIXLY_CORRECT
 export MLG_BUILT = yes
 
 # A layout is a models/ file that ends by including plugin.h.
 layouts := $(patsubst models/%.c,%,$(shell grep -l '^#include "plugin.h"' models/*.c))
-misnamed := $(shell printf '%s\n' $(layouts) | grep -vE '^[A-Za-z][A-Za-z0-9_]*$$')
+misnamed := $(shell printf '%s\n' $(layouts) | LC_ALL=C grep -vE '^[A-Za-z][A-Za-z0-9_]*$$')
 ifneq ($(misnamed),)
 $(error models/$(firstword $(misnamed)).c: the name of a layout has letters, digits and _, a letter first)
 endif
@@ -24,7 +30,8 @@ models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.ex
           $(layouts:%=build/bin/scan-%) $(layouts:%=build/bin/curves-%) build/bin/constants
 damped := damping transients
 integrating := simulate search
-sundials = -lsundials_cvode -lsundials_nvecserial
+# asked once, of what is built with it
+sundials = $(eval sundials := $(shell CC="$(CC)" scripts/sundials.sh))$(sundials)
 lapack = -llapacke -llapack
 runs := $(patsubst constants/c.l1.%,%,$(wildcard constants/c.l1.*))
 made_constants := $(filter-out $(patsubst constants/c.%,%,$(wildcard constants/c.*)),\
@@ -55,18 +62,19 @@ setup: build/auto.mk ## packages and AUTO only
 # over with what it says.
 need_test_packages := bench sections test% check-scripts certify% verify $(damped) $(foreach study,$(damped),$(study).% build/bin/$(study)-%) $(integrating) $(integrating:%=build/bin/%-%)
 auto_given := $(AUTO_DIR)
-ifneq ($(filter-out help clean distclean libmlg build/lib/% drawings docs/drawings/%,$(goals)),)
+ifneq ($(filter-out help clean distclean test libmlg build/lib/% drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
 unexport AUTO_DIR
 endif
 
-build/auto.mk: always
+build/auto.mk: $(if $(MLG_SET_UP),,always)
 	@scripts/setup.sh $(if $(filter $(need_test_packages),$(goals)),test,figures)
 	@AUTO_DIR='$(auto_given)' scripts/build-auto.sh
 
 # What a command makes has a name of its own until it is whole: neither a second
-# make in this tree nor an interrupted one leaves half a file behind.
-whole = $(1) -o $@.$$$$ && mv $@.$$$$ $@
+# make in this tree nor an interrupted one leaves half a file behind.  What cannot be
+# made leaves no old one to be taken for it.
+whole = { $(1) -o $@.$$$$ && mv $@.$$$$ $@; } || { rm -f $@ $@.$$$$; false; }
 compiled = $(call whole,$(1) -MMD -MP -MT $@ -MF $(basename $@).d)
 
 build/models/%.o: models/%.c build/auto.mk Makefile
@@ -90,10 +98,10 @@ $(foreach tool,scan curves draw,$(eval $(call tool_rule,$(tool))))
 
 # programs on scripts/damping.h
 $(eval $(call tool_rule,damping,$(lapack)))
-$(eval $(call tool_rule,transients,$(lapack) $(sundials)))
+$(eval $(call tool_rule,transients,$(lapack) $$(sundials)))
 
 # programs on scripts/integrate.h
-$(foreach tool,$(integrating),$(eval $(call tool_rule,$(tool),$(sundials))))
+$(foreach tool,$(integrating),$(eval $(call tool_rule,$(tool),$$(sundials))))
 
 .PHONY: simulate sections
 sections: simulate $(models) ## what follows past the torus points of Figure 6 (docs/simulate.md)
@@ -229,8 +237,11 @@ oracles := $(layouts:%=build/bin/eigen-%)
 to_test = -Imodels -Iscripts
 to_test_layout = $(to_test) -D_DEFAULT_SOURCE -isystem $(AUTO_INCLUDE) -DLAYOUT='"$*.c"'
 
-test: test-programs ## every test; tests/run.sh runs some of them
-	@tests/run.sh
+test: ## every test; tests/run.sh runs some of them, and has them built
+	+@MLG_BUILT= tests/run.sh
+
+.PHONY: test-set-up
+test-set-up: build/auto.mk
 
 test-programs: $(models) $(libraries) $(tests) $(layout_tests) $(oracles) \
                $(foreach tool,draw $(damped),$(layouts:%=build/bin/$(tool)-%)) build/bin/gear \

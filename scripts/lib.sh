@@ -7,8 +7,7 @@
 # interrupted or failed run leaves nothing behind that would count as made.
 
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-export LC_ALL=C OMP_NUM_THREADS=1
+. "$(dirname "${BASH_SOURCE[0]}")/tools.sh"
 
 # Ends with one line on standard error; status 1: a run failed, 2: bad input.
 fail() { echo "$1" >&2; exit "${2:-1}"; }
@@ -279,7 +278,7 @@ record() {
         $1 == "figure" { ours = $2 == figure }
         $1 == "ms" && ours { n++; ms += $2 }
         END { printf "%s,%d,%.1f,", figure, n, ms / 1000 }' build/runs/*/origin
-      printf '%s,' "$(sed -n 's/^AUTO_VERSION = //p' build/auto.mk)" "$(cc -dumpfullversion)" \
+      printf '%s,' "$(sed -n 's/^AUTO_VERSION = //p' build/auto.mk)" "$(${CC:-gcc} -dumpfullversion)" \
         "$(gfortran -dumpfullversion)" "$(getconf GNU_LIBC_VERSION)" \
         "$(gnuplot --version | awk '{ print $2 "." $4 }')" "$(. /etc/os-release && echo "$NAME $VERSION_ID")"
       uname -m
@@ -300,7 +299,7 @@ picture() {
   local picture=results/$figure
   [ -s "$picture.csv" ] || fail "$figure: there is no $picture.csv to draw; scripts/$figure.sh tables makes it" 2
   rm -f "$picture".{png,svg,gif}.new
-  LC_ALL=C.UTF-8 gnuplot -e "figure='$figure'" scripts/style.gp "scripts/$figure.gp"
+  LC_ALL=C.UTF-8 gnuplot -d -e "figure='$figure'" scripts/style.gp "scripts/$figure.gp"
   # on a full disk gnuplot ends with status 0
   if ! tail -c 12 "$picture.png.new" | grep -aq IEND || ! tail -c 12 "$picture.svg.new" | grep -q '</svg>'; then
     fail "$figure: gnuplot wrote half a picture, $picture.png or .svg (is the disk full?); those before are kept"
