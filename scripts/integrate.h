@@ -36,6 +36,13 @@
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
+#if SUNDIALS_VERSION_MAJOR < 7
+#define SUN_COMM_NULL NULL
+#define integrator_silent(run) CVodeSetErrFile((run)->cvode, NULL)
+#else
+#define integrator_silent(run) SUNContext_ClearErrHandlers((run)->context)
+#endif
+
 /* What integrator_advance came to. */
 enum reached {
   FAILED = -1,   /* run.error says why, in one line; run.t and run.u are of the last good step */
@@ -77,7 +84,7 @@ static inline double oscillation_size(const double u[])
 }
 
 /* 1 bids CVODE try a smaller step; it ends when that does not help. */
-static int integrator_rates(realtype t, N_Vector u, N_Vector du, void *data)
+static int integrator_rates(sunrealtype t, N_Vector u, N_Vector du, void *data)
 {
   struct integrator *run = data;
   const double *x = N_VGetArrayPointer(u);
@@ -107,7 +114,7 @@ static int integrator_weights(N_Vector u, N_Vector weights, void *data)
 
 enum { LIMIT_L, LIMIT_R, SECTION, ROOTS };
 
-static int integrator_roots(realtype t, N_Vector u, realtype g[], void *data)
+static int integrator_roots(sunrealtype t, N_Vector u, sunrealtype g[], void *data)
 {
   const struct integrator *run = data;
   const double *x = N_VGetArrayPointer(u), limit = run->par[PAR_L] * tan(run->par[PAR_ALPHA_M]);
@@ -135,12 +142,12 @@ static inline int integrator_begin(struct integrator *run, double rtol)
 {
   *run = (struct integrator){ .rtol = rtol, .section = -1 };
   mlg_defaults(run->par);
-  if (SUNContext_Create(NULL, &run->context) != 0
+  if (SUNContext_Create(SUN_COMM_NULL, &run->context) != 0
       || !(run->vector = N_VMake_Serial(NDIM, run->u, run->context))
       || !(run->matrix = SUNDenseMatrix(NDIM, NDIM, run->context))
       || !(run->solver = SUNLinSol_Dense(run->vector, run->matrix, run->context))
       || !(run->cvode = CVodeCreate(CV_ADAMS, run->context))
-      || CVodeSetErrFile(run->cvode, NULL) != CV_SUCCESS
+      || integrator_silent(run) != CV_SUCCESS
       || CVodeInit(run->cvode, integrator_rates, 0., run->vector) != CV_SUCCESS
       || CVodeWFtolerances(run->cvode, integrator_weights) != CV_SUCCESS
       || CVodeSetUserData(run->cvode, run) != CV_SUCCESS
