@@ -122,8 +122,9 @@ configure() {
   # Debian left tek2ps out of the tarball, and configure asks for this
   mkdir -p tek2ps
   : >tek2ps/Makefile.in
-  # numpy.bool is gone since numpy 1.24
+  # numpy.bool is gone since numpy 1.24, arrays compared with [] since 2.2
   sed -i 's/N\.bool,/bool,/' python/auto/Points.py
+  sed -i 's/fdata == \[\] or //' python/auto/parseS.py
   # Python 3.12 warns of a backslash that escapes nothing
   sed -i -E "/r'|"'\\\\/!s/\\([s.#*w])/\\\\\1/g' python/auto/{interactiveBindings,parseD,runAUTO,runDemo}.py
   ./configure "${flags[@]}"

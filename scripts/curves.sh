@@ -116,7 +116,7 @@ if [ "${BASH_SOURCE[0]}" = "$0" ]; then
   done
   set -- "${values[@]}"
   [ -f "models/$layout.c" ] || fail "curves: there is no models/$layout.c" 2
-  case $name in */*) fail "curves: NAME '$name' has a slash; expected a plain name" 2 ;; esac
+  check_name "$name"
   case " $*" in *" k_s="*) ;; *) set -- "$@" k_s=1e30 ;; esac
   case " $*" in *" b="*) ;; *) set -- "$@" b=0 ;; esac
   hopf_curves "$layout" "$name" "$@"

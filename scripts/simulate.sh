@@ -15,7 +15,7 @@
 layout=$1 name=$2
 shift 2
 [ -f "models/$layout.c" ] || fail "simulate: there is no layout '$layout', no models/$layout.c" 2
-case $name in '' | *[!A-Za-z0-9._-]*) fail "simulate: NAME '$name': letters, digits, dot, _ and - only" 2 ;; esac
+check_name "$name"
 [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent "build/bin/simulate-$layout"
 mkdir -p build/tables
 work=build/tables/$name

@@ -127,7 +127,7 @@ refuses() {
   run -2 scripts/simulate.sh l9 mine psi=0.3
   [ "$output" = "simulate: there is no layout 'l9', no models/l9.c" ]
   run -2 scripts/simulate.sh l1 ../mine psi=0.3
-  [ "$output" = "simulate: NAME '../mine': letters, digits, dot, _ and - only" ]
+  [ "$output" = "the name '../mine': letters, digits, dot, _ and - only, and neither dot nor - first" ]
 }
 
 @test "the picture has a dot for each tyre at each limit, and none elsewhere" {
