@@ -62,7 +62,7 @@ setup: build/auto.mk ## packages and AUTO only
 # over with what it says.
 need_test_packages := bench sections test% check-scripts certify% verify $(damped) $(foreach study,$(damped),$(study).% build/bin/$(study)-%) $(integrating) $(integrating:%=build/bin/%-%)
 auto_given := $(AUTO_DIR)
-ifneq ($(filter-out help clean distclean test libmlg build/lib/% drawings docs/drawings/%,$(goals)),)
+ifneq ($(filter-out help clean distclean test check-fresh libmlg build/lib/% drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
 unexport AUTO_DIR
 endif
@@ -267,6 +267,10 @@ verify: test-programs ## AUTO's values against oracles that do without AUTO
 
 fuzz: build/tests/fuzz ## the constants checker on 10 million random inputs; SEED=2 for others
 	FUZZ=10000000 build/tests/fuzz
+
+.PHONY: check-fresh
+check-fresh: ## both commands on bare Debian systems, as root and not; suite=trixie for one
+	@case='$(case)' mirror='$(mirror)' tests/fresh.sh $(suite)
 
 check-scripts: models ## shellcheck over every script and test
 	@tests/run.sh scripts
