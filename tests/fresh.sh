@@ -11,7 +11,8 @@
 # The last lines and the times of each are shown; build/fresh/SUITE.CASE.log has all.
 #
 # case=root or case=user   one of the two; user needs a root before it
-# mirror=URL               where the suite is from; by default the first of this machine's own
+# mirror=URL               where the suite is from, as for noble (Ubuntu 24.04) on a Debian; by
+#                          default the first of this machine's own that has it
 # Needs   root, debootstrap, git, and the mirror; without these one line says what is skipped
 # Writes  build/fresh, 2 GB for a suite; the log files stay
 # Exit    0 all passed or skipped, 1 something failed
@@ -44,11 +45,13 @@ enter() { # ROOT: what programs there expect of a machine
 
 # From the first of this machine's own sources that has the suite
 install() { # SUITE
-  local url root=$fresh/$1
+  local url root=$fresh/$1 script=()
+  # an Ubuntu that is newer than this debootstrap
+  [ -e "/usr/share/debootstrap/scripts/$1" ] || script=(/usr/share/debootstrap/scripts/gutsy)
   # shellcheck disable=SC2016 # apt's own
   for url in ${mirror:-$(apt-get indextargets --format '$(REPO_URI)' | awk '!seen[$0]++')}; do
     rm -rf "$root.part"
-    debootstrap --variant=minbase "$1" "$root.part" "$url" >"$root.log" 2>&1 || continue
+    debootstrap --variant=minbase "$1" "$root.part" "$url" "${script[@]}" >"$root.log" 2>&1 || continue
     # Ubuntu has gnuplot and AUTO's source in universe
     ! grep -q ubuntu "$root.part/etc/os-release" || echo "deb $url $1 main universe" >"$root.part/etc/apt/sources.list"
     chroot "$root.part" useradd --create-home --uid 1000 fresh
