@@ -14,33 +14,16 @@
 # mirror=URL               where the suite is from, as for noble (Ubuntu 24.04) on a Debian; by
 #                          default the first of this machine's own that has it
 # Needs   root, debootstrap, git, and the mirror; without these one line says what is skipped
-# Writes  build/fresh, 2 GB for a suite; the log files stay
+# Writes  build/fresh, 2 GB for a suite, which stays for the next time
 # Exit    0 all passed or skipped, 1 something failed
 set -euo pipefail
 . "$(dirname "$(realpath "$0")")/../scripts/tools.sh"
 
 readonly fresh=$PWD/build/fresh
-mounts=()
 
 skip() {
   echo "skip  $1"
   exit 0
-}
-
-leave() {
-  local i
-  for ((i = ${#mounts[@]} - 1; i >= 0; i--)); do umount -l "${mounts[i]}" || true; done
-  mounts=()
-}
-
-enter() { # ROOT: what programs there expect of a machine
-  local place
-  for place in proc dev; do
-    mount --rbind "/$place" "$1/$place"
-    mount --make-rslave "$1/$place"
-    mounts+=("$1/$place")
-  done
-  cp /etc/resolv.conf "$1/etc" 2>/dev/null || true
 }
 
 # From the first of this machine's own sources that has the suite
@@ -105,25 +88,28 @@ hostile() { # FOLDER SUITE
 }
 
 main() {
-  local suite case failed=0
+  local suite who failed=0
   [ "$(id -u)" -eq 0 ] || skip "check-fresh: chroot needs root"
+  unshare --mount true 2>/dev/null || skip "check-fresh: nothing can be mounted here"
   command -v debootstrap >/dev/null || skip "check-fresh: no debootstrap here (Debian's package debootstrap)"
-  mkdir -p "$fresh"
-  trap leave EXIT
+  # mounts and processes of its own: none is left, however this ends
+  [ -n "${MLG_UNSHARED:-}" ] || MLG_UNSHARED=yes exec unshare --mount --pid --fork --kill-child "$PWD/tests/fresh.sh" "$@"
   trap 'exit 130' INT TERM
+  mkdir -p "$fresh"
   [ $# -gt 0 ] || set -- bookworm trixie
   for suite; do
     if [ ! -d "$fresh/$suite" ] && ! install "$suite"; then
       echo "skip  check-fresh: $suite cannot be had from this machine's sources${mirror:+ nor from $mirror}; mirror=URL gives another"
       continue
     fi
-    enter "$fresh/$suite"
-    for case in ${case_:-root user}; do one "$suite" "$case" || failed=1; done
-    leave
+    mount -t proc proc "$fresh/$suite/proc"
+    ln -sfn /proc/self/fd "$fresh/$suite/dev/fd"
+    cp /etc/resolv.conf "$fresh/$suite/etc"
+    for who in ${case:-root user}; do one "$suite" "$who" || failed=1; done
+    umount "$fresh/$suite/proc"
   done
   return "$failed"
 }
 
-# shellcheck disable=SC2154 # of the caller
-case_=${case:-}
 main "$@"
+exit
