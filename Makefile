@@ -12,19 +12,24 @@ override CFLAGS += -std=c11
 TEST_CFLAGS = -O1 -g -std=c11 -Wall -Wextra -Wpedantic -Werror -fsanitize=address,undefined \
               -fno-sanitize-recover=all
 SHELL = /bin/bash
+ifeq ($(origin CC),default)
+CC = gcc
+endif
+# users' own, which would change what tools read and say (scripts/tools.sh)
+export LC_ALL = C
+unexport CDPATH POSIXLY_CORRECT
 export MLG_BUILT = yes
 
 # A layout is a models/ file that ends by including plugin.h.
 layouts := $(patsubst models/%.c,%,$(shell grep -l '^#include "plugin.h"' models/*.c))
-misnamed := $(shell printf '%s\n' $(layouts) | grep -vE '^[A-Za-z][A-Za-z0-9_]*$$')
+misnamed := $(shell printf '%s\n' $(layouts) | LC_ALL=C grep -vE '^[A-Za-z][A-Za-z0-9_]*$$')
 ifneq ($(misnamed),)
 $(error models/$(firstword $(misnamed)).c: the name of a layout has letters, digits and _, a letter first)
 endif
 models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.exe) \
           $(layouts:%=build/bin/scan-%) $(layouts:%=build/bin/curves-%) build/bin/constants build/bin/mlg
-# SUNDIALS 7 has a library of its own for what all its parts share
-sundials = -lsundials_cvode -lsundials_nvecserial \
-           $(if $(findstring /,$(shell $(CC) -print-file-name=libsundials_core.so)),-lsundials_core)
+# asked once, of what is built with it
+sundials = $(eval sundials := $(shell CC="$(CC)" scripts/sundials.sh))$(sundials)
 lapack = -llapacke -llapack
 numerics = $(lapack) $(sundials) -lm
 runs := $(patsubst constants/c.l1.%,%,$(wildcard constants/c.l1.*))
@@ -56,18 +61,19 @@ setup: build/auto.mk ## packages and AUTO only
 # over with what it says.
 need_test_packages := prove bench test% check-scripts certify% verify build/bin/eigen-%
 auto_given := $(AUTO_DIR)
-ifneq ($(filter-out help clean distclean libmlg build/lib/% build/bin/mlg drawings docs/drawings/%,$(goals)),)
+ifneq ($(filter-out help clean distclean test check-fresh libmlg build/lib/% build/bin/mlg drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
 unexport AUTO_DIR
 endif
 
-build/auto.mk: always
+build/auto.mk: $(if $(MLG_SET_UP),,always)
 	@scripts/setup.sh $(if $(filter $(need_test_packages),$(goals)),test,figures)
 	@AUTO_DIR='$(auto_given)' scripts/build-auto.sh
 
 # What a command makes has a name of its own until it is whole: neither a second
-# make in this tree nor an interrupted one leaves half a file behind.
-whole = $(1) -o $@.$$$$ && mv $@.$$$$ $@
+# make in this tree nor an interrupted one leaves half a file behind.  What cannot be
+# made leaves no old one to be taken for it.
+whole = { $(1) -o $@.$$$$ && mv $@.$$$$ $@; } || { rm -f $@ $@.$$$$; false; }
 compiled = $(call whole,$(1) -MMD -MP -MT $@ -MF $(basename $@).d)
 
 # What is the same for every layout is compiled once: gear.c, and boundary.c.
@@ -251,8 +257,11 @@ oracles := $(layouts:%=build/bin/eigen-%)
 to_test = -Imodels -Imodels/libmlg -Ibuild/libmlg -Iscripts
 to_test_layout = $(to_test) -D_DEFAULT_SOURCE -isystem $(AUTO_INCLUDE) -DLAYOUT='"$*.c"'
 
-test: test-programs ## every test; tests/run.sh runs some of them
-	@tests/run.sh
+test: ## every test; tests/run.sh runs some of them, and has them built
+	+@MLG_BUILT= tests/run.sh
+
+.PHONY: test-set-up
+test-set-up: build/auto.mk
 
 test-programs: $(models) $(libraries) $(tests) $(layout_tests) $(oracles)
 
@@ -276,6 +285,10 @@ verify: test-programs ## AUTO's values against oracles that do without AUTO
 
 fuzz: build/tests/fuzz ## the constants checker on 10 million random inputs; SEED=2 for others
 	FUZZ=10000000 build/tests/fuzz
+
+.PHONY: check-fresh
+check-fresh: ## both commands on bare Debian systems, as root and not; suite=trixie for one
+	@case='$(case)' mirror='$(mirror)' tests/fresh.sh $(suite)
 
 check-scripts: models ## shellcheck over every script and test
 	@tests/run.sh scripts

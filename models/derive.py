@@ -1,7 +1,7 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """derive.py - the gear's equations of motion from energies, forces and contact
 
-    /usr/bin/python3 models/derive.py > models/jacobian.h
+    python3 models/derive.py > models/jacobian.h
 
 Derives what models/mlg.h states, in the order of the paper and by its equation
 numbers: Lagrange's equation (1) with the kinetic energy (2), the strut's spring
@@ -128,7 +128,7 @@ HEAD = """\
  * Made by models/derive.py with sympy {sympy}.  After a change of the equations in
  * mlg.h make the same change there, and then
  *
- *     /usr/bin/python3 models/derive.py > models/jacobian.h
+ *     python3 models/derive.py > models/jacobian.h
  *
  * plugin.h stops a run whose derivatives do not belong to its right-hand side.
  *
@@ -301,6 +301,6 @@ def header():
 
 if __name__ == '__main__':
     if len(sys.argv) > 1:
-        print('usage: /usr/bin/python3 models/derive.py > models/jacobian.h', file=sys.stderr)
+        print('usage: python3 models/derive.py > models/jacobian.h', file=sys.stderr)
         sys.exit(2)
     header()

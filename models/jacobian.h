@@ -3,7 +3,7 @@
  * Made by models/derive.py with sympy 1.11.1.  After a change of the equations in
  * mlg.h make the same change there, and then
  *
- *     /usr/bin/python3 models/derive.py > models/jacobian.h
+ *     python3 models/derive.py > models/jacobian.h
  *
  * plugin.h stops a run whose derivatives do not belong to its right-hand side.
  *

@@ -14,9 +14,9 @@ scan_points() { # LAYOUT COMPLIANCE B
 # U of the boundary problem from points "V c_d frequency" and more unknowns.
 unknowns() { # "POINT" ... [NAME=VALUE ...]
   printf '%s\n' "$@" | awk '
-    /=/ { split($0, pair, "="); text = text sprintf(", \x27%s\x27: %s", pair[1], pair[2]); next }
+    /=/ { split($0, pair, "="); text = text sprintf(", \047%s\047: %s", pair[1], pair[2]); next }
     { n++
-      text = text sprintf("%s\x27omega_%d\x27: %.12g, \x27speed_%d\x27: %.12g, \x27logc_%d\x27: %.12g",
+      text = text sprintf("%s\047omega_%d\047: %.12g, \047speed_%d\047: %.12g, \047logc_%d\047: %.12g",
         n > 1 ? ", " : "", n, $3 * 2 * atan2(0, -1) / 10, n, $1 / 10, n, log($2) / log(10)) }
     END { print "U={" text "}" }'
 }
@@ -33,7 +33,7 @@ unknown_points() { # COMPLIANCE "POINTS" RUN...
       if (FILENAME == file && (k - at) * (k_was - at) <= 0 && k != k_was) {
         t = (at - k_was) / (k - k_was)
         for (i = 1; i <= n; i++) {
-          split(candidate[i], p, " ")
+          if (split(candidate[i], p, " ") < 3) continue
           if ((c_was + t * (c - c_was) - log10(p[2])) ^ 2 < 1e-5 && (f_was + t * (f - f_was) - p[3]) ^ 2 < 1e-3) found[i] = 1
         }
       }

@@ -122,13 +122,16 @@ configure() {
   # Debian left tek2ps out of the tarball, and configure asks for this
   mkdir -p tek2ps
   : >tek2ps/Makefile.in
-  # numpy.bool is gone since numpy 1.24
+  # numpy.bool is gone since numpy 1.24, arrays compared with [] since 2.2
   sed -i 's/N\.bool,/bool,/' python/auto/Points.py
+  sed -i 's/fdata == \[\] or //' python/auto/parseS.py
+  # Python 3.12 warns of a backslash that escapes nothing
+  sed -i -E "/r'|"'\\\\/!s/\\([s.#*w])/\\\\\1/g' python/auto/{interactiveBindings,parseD,runAUTO,runDemo}.py
   ./configure "${flags[@]}"
 }
 
 recipe() {
-  printf '%s\n' "$sha256" "${flags[@]}" \
+  printf '%s\n' "$sha256" "${flags[@]}" "$(declare -f configure)" \
     "gcc $(gcc -dumpfullversion)" "gfortran $(gfortran -dumpfullversion)"
 }
 
@@ -202,7 +205,7 @@ main() {
   [ $# -eq 0 ] || fail 2 'takes no arguments, see the head of the script'
   dir=$(absolute "${AUTO_DIR:-}")
   tarball=$(absolute "${AUTO_TARBALL:-}")
-  cd -- "$(dirname -- "$(realpath -- "$0")")/.."
+  . "$(dirname "$(realpath "$0")")/tools.sh"
   { mkdir -p build && [ -w build ]; } 2>/dev/null ||
     fail 2 "nothing can be written to $PWD/build: copy the checkout to where you may write"
   exec 9>build/auto.lock

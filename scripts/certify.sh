@@ -18,7 +18,7 @@
 #         between two points GH; folds of cycles only below the intervals, the nearest at
 #         0.73 of c_lo (L1); no cycle inside; every start falls.
 # shellcheck disable=SC2028 # text for awk
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$(realpath "$0")")/lib.sh"
 . scripts/curves.sh
 [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent models build/bin/eigen-{l1,l2,li1,li2}
 
@@ -55,7 +55,7 @@ cycles_in_c_d() { # LAYOUT
 cycles_in_V() { # LAYOUT
   local side c_d V way n name
   for side in below above; do
-    c_d=$(awk -v side=$side -v lo="$c_lo" -v hi="$c_hi" 'BEGIN { printf "%.6g", side == "below" ? 0.98 * lo : 1.02 * hi }')
+    c_d=$(awk -v side=$side -v lo="$c_lo" -v hi="$c_hi" 'BEGIN { printf "%.6g", (side == "below" ? 0.98 * lo : 1.02 * hi) }')
     n=0
     while read -r V _ way; do
       [ "$way" = loses ] || continue

@@ -52,6 +52,12 @@ static const struct auto_constant { const char *key; char form, names; } auto_co
   { "dat", 't', 0 },      { "sv", 't', 0 },
 };
 
+/* Outside these AUTO never ends, fills the disk or crashes. */
+static const struct { const char *key; double least, most; } auto_ranges[] = {
+  { "NDIM", 1, 1000 }, { "NTST", 2, 100000 }, { "NCOL", 2, 7 },   { "NMX", 0, 1e8 },
+  { "ITMX", 1, 1000 }, { "ITNW", 1, 1000 },   { "NWTN", 1, 1000 }, { "DSMAX", 1e-12, 1e9 },
+};
+
 /* One line whatever it quotes, which may span lines in the file. */
 static void bad_input(const char *file, int line, const char *format, ...)
 {
@@ -404,6 +410,10 @@ static void check_form(const struct constants *c, const struct entry *e, char fo
       bad_input(c->file, e->line, "%s = %s is not a finite number", e->key, e->value);
     if (form == 'i' && !is_integer(e->value, &n))
       bad_input(c->file, e->line, "%s = %s is not a whole number", e->key, e->value);
+    for (size_t k = 0; k < sizeof auto_ranges / sizeof *auto_ranges; k++)
+      if (strcmp(e->key, auto_ranges[k].key) == 0 && !(x >= auto_ranges[k].least && x <= auto_ranges[k].most))
+        bad_input(c->file, e->line, "%s = %s is outside its range, %g to %g", e->key, e->value,
+                  auto_ranges[k].least, auto_ranges[k].most);
   } else if (form == 'l') {
     if (e->value[0] != '[')
       bad_input(c->file, e->line, "%s = %s is no list; expected [name, ...]", e->key, e->value);

@@ -82,7 +82,7 @@ function off_line(k, i, j, logarithmic,    x, y, dx, dy, length2, t) {
 }
 
 function row(i) {
-  printf kind[i] == "" ? "%s,%s,%.6g,%.6g\n" : "%s,%s,%.8g,%.8g\n", text, kind[i], V[i], c[i]
+  printf (kind[i] == "" ? "%s,%s,%.6g,%.6g\n" : "%s,%s,%.8g,%.8g\n"), text, kind[i], V[i], c[i]
 }
 
 END {

@@ -18,7 +18,7 @@
 hopf_start() { # NAME LAYOUT V REACH [PARAMETER=VALUE ...]
   local name=$1 layout=$2 settings
   mapfile -t settings < <(awk -v V="$3" -v reach="$4" 'BEGIN {
-    printf "V=%.12g\nDS=%g\nDSMAX=%g\nUZSTOP={\x27V\x27: %.12g}\n", V - reach, reach / 4, reach / 4, V + reach }')
+    printf "V=%.12g\nDS=%g\nDSMAX=%g\nUZSTOP={\047V\047: %.12g}\n", V - reach, reach / 4, reach / 4, V + reach }')
   shift 4
   run "$name" "$layout.straight" "$@" "${settings[@]}" -- HB=1 UZ=1 > /dev/null
 }
@@ -40,7 +40,7 @@ hopf_curves() {
     [ "$number" != curve ] || continue
     mapfile -t settings < <(awk -v range="$range" -v step="$step" -v way="$way" 'BEGIN {
       # so near that no other Hopf point disturbs the search for this one
-      printf "%g\nDS=%g\nDSMAX=%g\n", range < 1 ? range / 1000 : 0.001, way * (step < 0.1 ? step / 10 : 0.01), step }')
+      printf "%g\nDS=%g\nDSMAX=%g\n", (range < 1 ? range / 1000 : 0.001), way * (step < 0.1 ? step / 10 : 0.01), step }')
     hopf_start "$name.$number.start" "$layout" "$V" "${settings[0]}" "$@" c_d="$c_d"
     stops="'V': [0.1, 200.0], 'c_d': [10.0, 8e4]"
     # AUTO is to put a point on each extremum of c_d
@@ -59,7 +59,7 @@ hopf_curves() {
 curve_rows() { # PREFIX NAME
   local name=$2 files
   mapfile -t files < <(awk -F, -v prefix="$1" -v name="$name" 'NR > 1 {
-    printf "prefix=%s%s,%s\nclosed_curve=%s\n", prefix, $1, $3, $2 == "closed" ? "closed" : ""
+    printf "prefix=%s%s,%s\nclosed_curve=%s\n", prefix, $1, $3, ($2 == "closed" ? "closed" : "")
     printf "build/runs/%s.%s/b.%s.%s\n", name, $1, name, $1 }' "build/tables/$name.curves")
   use "build/tables/$name."{curves,extrema} "build/runs/$name."*/b.*
   awk -v name="$name" -v check="$table.check" -f scripts/auto.awk -f scripts/curves.awk \
@@ -100,7 +100,7 @@ end_diagrams() {
 }
 
 if [ "${BASH_SOURCE[0]}" = "$0" ]; then
-  . "$(dirname "$0")/lib.sh"
+  . "$(dirname "$(realpath "$0")")/lib.sh"
   [ $# -ge 2 ] || fail "usage: scripts/curves.sh LAYOUT NAME [gear=FILE] [PARAMETER=VALUE ...]" 2
   layout=$1 name=$2
   shift 2
@@ -116,7 +116,7 @@ if [ "${BASH_SOURCE[0]}" = "$0" ]; then
   done
   set -- "${values[@]}"
   [ -f "models/$layout.c" ] || fail "curves: there is no models/$layout.c" 2
-  case $name in */*) fail "curves: NAME '$name' has a slash; expected a plain name" 2 ;; esac
+  check_name "$name"
   case " $*" in *" k_s="*) ;; *) set -- "$@" k_s=1e30 ;; esac
   case " $*" in *" b="*) ;; *) set -- "$@" b=0 ;; esac
   hopf_curves "$layout" "$name" "$@"

@@ -11,7 +11,7 @@
 #         a delta branch from 25.09 to 61.62 with one at 27.37; A (V = 20):
 #         psi 3.67 degrees; B (V = 40): delta* 12.2 mm.  (b) one stable delta
 #         branch.  (c) one stable psi branch.
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$(realpath "$0")")/lib.sh"
 
 runs_a() {
   run fig06.a.straight l1.straight c_d=3.6e4 -- HB=4 UZ=1

@@ -10,7 +10,7 @@
 # Expect: double Hopf points HH at (24.84, 3.204e4) and (60.98, 6.188e4), each
 #         found on both Hopf curves; boundary points (LP) at c_d = 2754.35,
 #         3018.98 and 31588; two torus curves between the HH points.
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$(realpath "$0")")/lib.sh"
 
 runs_hopf() {
   scripts/fig06.sh runs a

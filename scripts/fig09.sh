@@ -12,7 +12,7 @@
 # Expect: (a) the delta region shrinks, at 1e6 it is closed; (b) no delta region;
 #         at 5.9e5 no shimmy from 4451.9 to 10692.6, at 4.6e5 the two psi regions
 #         have met: no extremum of c_d is left.
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$(realpath "$0")")/lib.sh"
 . scripts/curves.sh
 
 large="1e30 3e6 1.5e6 1e6 8e5"

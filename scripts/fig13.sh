@@ -8,7 +8,7 @@
 # Expect: the widest interval over k_s at each b, 11244.1 N m s/rad at b = 140
 #         N m s^2/rad; the largest of all where the third psi region takes over
 #         from BP1 as the lower bound.
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$(realpath "$0")")/lib.sh"
 . scripts/boundary.sh
 
 asked=0.156739811912226 # 1e5 / 6.38e5, where the paper gives its interval at b = 140

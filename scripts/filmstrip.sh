@@ -8,7 +8,7 @@
 # Writes: results/filmstrip.csv, results/filmstrip.png, .svg and .gif
 # Expect: in A psi swings by 3.67 degrees at 10.9 Hz, in B delta* by 12.2 mm at
 #         17.5 Hz; the other angle hardly moves.
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$(realpath "$0")")/lib.sh"
 
 runs_orbits() {
   scripts/fig06.sh runs a

@@ -9,7 +9,7 @@
 # Expect: largest width over k_s and b, N m s/rad: LI3 14101 at b = 28.77; LI4 grows
 #         with b as LI2 does, 16859 at b = 140; LI5 7848 at b = 100.69, where the third
 #         psi region takes over from BP1 as the lower bound.
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$(realpath "$0")")/lib.sh"
 . scripts/boundary.sh
 . scripts/curves.sh
 

@@ -7,8 +7,7 @@
 # interrupted or failed run leaves nothing behind that would count as made.
 
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-export LC_ALL=C OMP_NUM_THREADS=1
+. "$(dirname "${BASH_SOURCE[0]}")/tools.sh"
 
 # Ends with one line on standard error; status 1: a run failed, 2: bad input.
 fail() { echo "$1" >&2; exit "${2:-1}"; }
@@ -140,6 +139,28 @@ paper_gear() { # LAYOUT
   "build/bin/scan-$1" intervals k_s=$k_s b=$b | awk -F, -v k_s=$k_s -v b=$b 'NR == 2 { print k_s, b, $1, $2 }'
 }
 
+# The name of a run or a table is one of files, of AUTO's constants and of make's words.
+check_name() { # NAME
+  case $1 in
+    '' | [.-]* | *[!A-Za-z0-9._-]*) fail "the name '$1': letters, digits, dot, _ and - only, and neither dot nor - first" 2 ;;
+  esac
+  [ ${#1} -le 100 ] || fail "the name '$1': longer than 100 characters" 2
+}
+
+# A run ends at these whatever it does: seconds of processor time, and MB of one file.
+export MLG_TIME_LIMIT=${MLG_TIME_LIMIT:-600} MLG_SIZE_LIMIT=${MLG_SIZE_LIMIT:-256}
+for limit in MLG_TIME_LIMIT MLG_SIZE_LIMIT; do
+  [[ ${!limit} =~ ^[1-9][0-9]{0,5}$ ]] || fail "$limit=${!limit}: expected a whole number, 1 to 999999" 2
+done
+
+# An AUTO whose script is gone, killed, has to go too
+bounded() { # MODEL
+  # a user may have set lower ones
+  ulimit -S -c 0 -t "$MLG_TIME_LIMIT" 2> /dev/null || true
+  ulimit -S -f $((MLG_SIZE_LIMIT * 1024)) 2> /dev/null || true
+  exec setpriv --pdeathsig TERM "$1"
+}
+
 # run NAME CONSTANTS [from=RUN] [model=MODEL] [gear=FILE] [KEY=VALUE ...] -- [TYPE=COUNT ...]
 #   CONSTANTS   constants/c.CONSTANTS, else the one in build/constants, or a file's
 #               path; its name begins with the layout (l1.straight runs
@@ -152,6 +173,7 @@ run() {
   [ $# -ge 2 ] || fail "usage: run NAME CONSTANTS [from=RUN] [KEY=VALUE ...] -- [TYPE=COUNT ...]" 2
   local name=$1 constants=$2 from='' model='' settings=() dir="build/runs/$1"
   local file="constants/c.$2" base origin inputs text started found stamp status work
+  check_name "$name"
   shift 2
   while [ $# -gt 0 ] && [ "$1" != -- ]; do
     case $1 in
@@ -200,11 +222,16 @@ run() {
   echo "$text" > "$work/fort.2"
   [ -z "$from" ] || ln -s "../$from/s.$from" "$work/"
   status=0
-  (cd "$work" && exec "../../../$model") > "$work/auto.log" 2>&1 || status=$?
+  # bash would say itself that a signal ended it
+  { (cd "$work" && bounded "../../../$model") > "$work/auto.log" 2>&1; } 2> /dev/null || status=$?
   : >> "$work/b.$name"
   : >> "$work/d.$name"
   : >> "$work/s.$name"
-  found=$(awk -v expect="$*" -v status="$status" -f scripts/auto.awk -f scripts/judge.awk "$work/d.$name" "$work/b.$name")
+  case $status in
+    152) found="FAIL met the limit of time, $MLG_TIME_LIMIT s of processor time; MLG_TIME_LIMIT gives another" ;;
+    153) found="FAIL met the limit of size, $MLG_SIZE_LIMIT MB in one file; MLG_SIZE_LIMIT gives another" ;;
+    *) found=$(awk -v expect="$*" -v status="$status" -f scripts/auto.awk -f scripts/judge.awk "$work/d.$name" "$work/b.$name") ;;
+  esac
   [ "$status" -ne 0 ] || is_whole "$work" "$name" || found="FAIL what AUTO wrote is cut short (is the disk full?)"
   case $found in FAIL\ * | *$'\n'FAIL\ *)
     # first the models' own word, of a parameter that left its range, and AUTO's, of its start
@@ -279,7 +306,7 @@ record() {
         $1 == "figure" { ours = $2 == figure }
         $1 == "ms" && ours { n++; ms += $2 }
         END { printf "%s,%d,%.1f,", figure, n, ms / 1000 }' build/runs/*/origin
-      printf '%s,' "$(sed -n 's/^AUTO_VERSION = //p' build/auto.mk)" "$(cc -dumpfullversion)" \
+      printf '%s,' "$(sed -n 's/^AUTO_VERSION = //p' build/auto.mk)" "$(${CC:-gcc} -dumpfullversion)" \
         "$(gfortran -dumpfullversion)" "$(getconf GNU_LIBC_VERSION)" \
         "$(gnuplot --version | awk '{ print $2 "." $4 }')" "$(. /etc/os-release && echo "$NAME $VERSION_ID")"
       uname -m
@@ -300,7 +327,7 @@ picture() {
   local picture=results/$figure
   [ -s "$picture.csv" ] || fail "$figure: there is no $picture.csv to draw; scripts/$figure.sh tables makes it" 2
   rm -f "$picture".{png,svg,gif}.new
-  LC_ALL=C.UTF-8 gnuplot -e "figure='$figure'" scripts/style.gp "scripts/$figure.gp"
+  LC_ALL=C.UTF-8 gnuplot -d -e "figure='$figure'" scripts/style.gp "scripts/$figure.gp"
   # on a full disk gnuplot ends with status 0
   if ! tail -c 12 "$picture.png.new" | grep -aq IEND || ! tail -c 12 "$picture.svg.new" | grep -q '</svg>'; then
     fail "$figure: gnuplot wrote half a picture, $picture.png or .svg (is the disk full?); those before are kept"

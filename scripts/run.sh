@@ -7,5 +7,5 @@
 # The function run of lib.sh as a command; docs/new-runs.md tells how to use it.
 # Writes: build/runs/NAME, on standard output the time taken and the points found
 # Exit:   0, 1 the run failed, 2 bad input
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$(realpath "$0")")/lib.sh"
 run "$@"

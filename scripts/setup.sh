@@ -10,10 +10,15 @@
 # Otherwise apt-get installs what is missing, as root or through sudo; where
 # neither will do, one line names the packages and the command to give.
 #
+# A Python may lack sympy and a gnuplot its terminals: of these the first on the PATH
+# that has all a job asks of it is used, else that of /usr/bin, where apt-get puts it.
+# build/tools has a command of that name, first on the PATH of every script (tools.sh).
+#
 # Needs   bash; apt-get if something is missing
-# Writes  build/setup.log while apt-get runs, nothing else in the checkout
+# Writes  build/tools; build/setup.log while apt-get runs; nothing else in the checkout
 # Exit    0 all is there, 1 apt-get failed, 2 wrong use or no right to install
 set -euo pipefail
+. "$(dirname "$(realpath "$0")")/tools.sh"
 
 # job      how       thing        package          what for
 readonly table='
@@ -21,16 +26,18 @@ figures    command   gcc          gcc              compiles the models
 figures    command   gfortran     gfortran         compiles AUTO, links the models
 figures    header    stdlib.h     libc6-dev        the C library to compile with
 figures    command   make         make             builds and runs everything
-figures    terminal  pdfcairo     gnuplot-nox      draws the figures
+figures    command   awk          mawk             reads what AUTO writes
+figures    gnuplot   pngcairo     gnuplot-nox      draws the figures
 figures    command   cmark-gfm    cmark-gfm        the results as a page in HTML
+test       command   g++          g++              the test of the C header in C++
 test       header    cmocka.h     libcmocka-dev    the tests in C
 figures    header    lapacke.h    liblapacke-dev   eigenvalues of a gear (mlg)
 figures    header    cvode/cvode.h libsundials-dev  integration in time (mlg)
 test       command   bats         bats             the tests in shell
 test       command   shellcheck   shellcheck       the test of the scripts themselves
-test       command   python3      python3          the Python interface of AUTO
-test       module    numpy        python3-numpy    the same, with arrays
-test       module    sympy        python3-sympy    the equations derived again
+test       python3   sys          python3          the Python interface of AUTO
+test       python3   numpy        python3-numpy    the same, with arrays
+test       python3   sympy        python3-sympy    the equations derived again
 test       command   git          git              is the tree clean after a run?
 pages      command   bats         bats             the test of that page
 pages      command   chromium     chromium         the browser it is tested in
@@ -40,32 +47,64 @@ say() {
   printf 'setup: %s\n' "$1" >&2
 }
 
-has_command() {
+has_command() { # THING
   command -v "$1"
 }
 
+# shellcheck disable=SC2086 # CC may have flags
 has_header() {
-  printf '#if !__has_include(<%s>)\n#error\n#endif\n' "$1" | gcc -E -
+  printf '#if !__has_include(<%s>)\n#error\n#endif\n' "$1" | ${CC:-gcc} -E -
 }
 
-has_terminal() { # of gnuplot
-  gnuplot -e "set terminal $1"
+has_gnuplot() { # TERMINAL [GNUPLOT]
+  "${2:-gnuplot}" -d -e "set terminal $1"
 }
 
-has_module() { # of Python; Debian's Python may not be the first on the PATH
-  local python
-  for python in /usr/bin/python3 python3; do
-    "$python" -c "import importlib.util as u; raise SystemExit(u.find_spec('$1') is None)" && return
-  done
+has_python3() { # MODULE [PYTHON]
+  "${2:-python3}" -c "import importlib.util as u; raise SystemExit(u.find_spec('$1') is None)"
 }
 
-missing_packages() { # job
-  local job how thing package
-  while read -r job how thing package _; do
-    case $job in
-    figures | "$1") "has_$how" "$thing" </dev/null >/dev/null 2>&1 || printf ' %s' "$package" ;;
+# asked JOB [HOW]: the rows of the table for that job
+asked() {
+  local job how rest
+  while read -r job how rest; do
+    case $job:$how in
+    "figures:${2:-$how}" | "$1:${2:-$how}") echo "$how $rest" ;;
     esac
   done <<<"$table"
+}
+
+has_all() { # JOB NAME TOOL
+  local thing
+  while read -r _ thing _; do
+    "has_$2" "$thing" "$3" </dev/null >/dev/null 2>&1 || return
+  done < <(asked "$1" "$2")
+}
+
+choose() { # JOB NAME: the tool of that name in build/tools
+  local tool
+  [ -n "$(asked "$1" "$2")" ] || return 0
+  while read -r tool; do
+    case $tool in */build/tools/*) continue ;; esac # a choice made before
+    if has_all "$1" "$2" "$tool"; then break; fi
+  done < <(type -aP "$2"; echo "/usr/bin/$2")
+  if [ -n "$tool" ] && [ "$(tail -n 1 "build/tools/$2" 2>/dev/null)" != "$(printf 'exec %q "$@"' "$tool")" ]; then
+    mkdir -p build/tools
+    printf '#!/bin/sh\nexec %q "$@"\n' "$tool" >"build/tools/$2.$$"
+    chmod +x "build/tools/$2.$$"
+    mv "build/tools/$2.$$" "build/tools/$2"
+  fi
+}
+
+missing_packages() { # JOB
+  local how thing package
+  choose "$1" gnuplot
+  choose "$1" python3
+  # AUTO's own command takes python where there is one
+  [ ! -e build/tools/python3 ] || ln -sf python3 build/tools/python
+  while read -r how thing package _; do
+    "has_$how" "$thing" </dev/null >/dev/null 2>&1 || printf ' %s' "$package"
+  done < <(asked "$1")
 }
 
 may_install() {
@@ -99,8 +138,8 @@ main() {
     exit 2
   fi
   say "installing$packages"
-  log=$(dirname "$0")/../build/setup.log # nothing outside the checkout
-  mkdir -p "$(dirname "$log")"
+  log=build/setup.log
+  mkdir -p build
   # shellcheck disable=SC2086 # one word for each package
   if ! install_packages $packages >"$log" 2>&1; then
     tail -n 20 "$log" >&2
@@ -110,7 +149,7 @@ main() {
   fi
   rm -f "$log"
   packages=$(missing_packages "$job")
-  [ -z "$packages" ] || { say "still missing after its installation: what is in$packages" && exit 1; }
+  [ -z "$packages" ] || { say "still missing after its installation: what is in$packages, for $(command -v "${CC:-gcc}" gnuplot python3 | xargs)" && exit 1; }
 }
 
 main "$@"

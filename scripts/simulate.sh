@@ -9,18 +9,18 @@
 #         and the tyres' deflections over time; red: a slip angle passes alpha_m.
 # Exit:   that of mlg simulate: 1 the integration failed, 2 bad input; one line
 #         says why, and what was there before stays.
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$(realpath "$0")")/lib.sh"
 
 [ $# -ge 2 ] || fail "usage: scripts/simulate.sh LAYOUT NAME [PARAMETER=VALUE ...] STATE=VALUE ..." 2
 layout=$1 name=$2
 shift 2
 [ -f "models/$layout.c" ] || fail "simulate: there is no layout '$layout', no models/$layout.c" 2
-case $name in '' | *[!A-Za-z0-9._-]*) fail "simulate: NAME '$name': letters, digits, dot, _ and - only" 2 ;; esac
+check_name "$name"
 [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent build/bin/mlg
 mkdir -p build/tables
 work=build/tables/$name
 build/bin/mlg simulate "$layout" history "$@" > "$work.csv.new" || exit $?
 mv "$work.csv.new" "$work.csv"
-LC_ALL=C.UTF-8 gnuplot -e "figure='$name'" scripts/style.gp scripts/simulate.gp
+LC_ALL=C.UTF-8 gnuplot -d -e "figure='$name'" scripts/style.gp scripts/simulate.gp
 mv "$work.png.new" "$work.png"
 echo "  $work.csv, $work.png"

@@ -3,7 +3,7 @@
 # scripts/page.sh makes the same page in HTML of it.
 # Needs: results/*.csv (scripts/collect.sh, scripts/targets.sh) and the pictures
 # A new figure is one call of `picture` below.
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$(realpath "$0")")/lib.sh"
 alone results
 
 # number FORMAT TABLE COLUMN [KEY=VALUE ...]: that column of results/TABLE.csv in
@@ -171,7 +171,7 @@ AUTO, and its own on finer meshes. Each row is in [verification.csv](verificatio
 TEXT
   awk -F, '
     /^#/ || $1 == "part" { next }
-    { n[$1]++; failed[$1] += $8 != "yes"; split($7, limit, " "); if ($6 / limit[1] > worst[$1]) worst[$1] = $6 / limit[1] }
+    { n[$1]++; failed[$1] += $8 != "yes"; split($7, limit, " "); if (limit[1] > 0 && $6 / limit[1] > worst[$1]) worst[$1] = $6 / limit[1] }
     END { for (part in n) printf "| %s | %d | %d | %.2f |\n", part, n[part], failed[part], worst[part] }' \
     results/verification.csv | sort
   cat <<TEXT

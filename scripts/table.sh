@@ -23,7 +23,7 @@
 #
 # Exit: 0, or 2 with one line: no such run, no such solution (and which there are),
 # or files of AUTO's own that hold several branches with different columns.
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$(realpath "$0")")/lib.sh"
 
 usage="usage: scripts/table.sh RUN [labels | solution NAME]"
 case $#,${2:-} in 1, | 2,labels | 3,solution) ;; *) fail "$usage" 2 ;; esac

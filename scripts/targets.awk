@@ -99,6 +99,11 @@ function asked(layout, which,    i, c, best) {
   return best
 }
 
+# nothing where the table lacks what is to divide by
+function ratio(x, y) { return y == 0 ? "" : x / y }
+
+function gain(x, y) { return y == 0 ? "" : 100 * (x / y - 1) }
+
 function value(run, type, k, column) { return point[run, type, k, column] }
 
 function one_stable_branch(panel, kind) {
@@ -132,20 +137,20 @@ function computed(id) {
   if (id == "Z-L2.lo") return asked("l2", "lo")
   if (id == "Z-L2.hi") return asked("l2", "hi")
   if (id == "W-L2") return asked("l2", "hi") - asked("l2", "lo")
-  if (id == "W-L2.ratio") return (asked("l2", "hi") - asked("l2", "lo")) / (value("fig07.delta.down", "LP", 1, "c_d") - value("fig07.low.up", "LP", 1, "c_d"))
+  if (id == "W-L2.ratio") return ratio(asked("l2", "hi") - asked("l2", "lo"), value("fig07.delta.down", "LP", 1, "c_d") - value("fig07.low.up", "LP", 1, "c_d"))
   if (id == "W-L2.max") return width["li2", 0] # LI2 without inerter is L2
   if (id == "Z-LI1.lo") return asked("li1", "lo")
   if (id == "Z-LI1.hi") return asked("li1", "hi")
   if (id == "W-LI1") return largest["li1"]
   if (id == "W-LI1.b") return best_b["li1"]
   if (id == "W-LI1.k_s") return best_k_s["li1"]
-  if (id == "W-LI1.gain") return 100 * (largest["li1"] / width["li1", 0] - 1)
+  if (id == "W-LI1.gain") return gain(largest["li1"], width["li1", 0])
   if (id == "N-LI1.strip") return yes(passes_BP1(30, 3.8e5, 5e5))
   if (id == "N-LI1.closed") return yes(born["li1", 70] == 1 && closed_at[70])
   if (id == "N-LI1.third") return yes(third["li1", 20] < 100 && third["li1", 30] < 100 && third["li1", 70] > 100 && third["li1", 100] > 100 && third["li1", 130] > 100 && third["li1", 150] > 100)
   if (id == "N-LI1.limit") return yes(bound["li1", 150] == "psi3" && bound["li1", 130] == "BP1")
   if (id == "W-LI2") return width["li2", 140]
-  if (id == "W-LI2.gain") return 100 * (width["li2", 140] / width["li2", 0] - 1)
+  if (id == "W-LI2.gain") return gain(width["li2", 140], width["li2", 0])
   if (id == "N-LI2") return without_delta("li2", 100, 8.6e5, 1.99e6)
 }
 

@@ -209,7 +209,7 @@ END
 # A checkout of its own, so that build/auto of this one stays as it is
 checkout() {
   mkdir -p checkout/scripts
-  cp "$ROOT"/scripts/{build-auto,setup}.sh checkout/scripts
+  cp "$ROOT"/scripts/{build-auto,setup,tools}.sh checkout/scripts
   unset AUTO_DIR AUTO_TARBALL
 }
 
@@ -272,7 +272,7 @@ refuses() {
   local as=()
   if [ "$(id -u)" -eq 0 ]; then
     as=(setpriv --reuid=65534 --regid=65534 --clear-groups)
-    "${as[@]}" test -x . || skip "another user cannot reach this checkout"
+    "${as[@]}" test -x "$PWD" || skip "another user cannot reach this checkout"
   fi
   checkout
   chmod a-w checkout
@@ -326,21 +326,55 @@ refuses() {
   [ -z "$output" ]
 }
 
+# hostile: a python3 without modules and a gnuplot without terminals, first on the PATH
+hostile() {
+  local tool
+  mkdir -p hostile
+  for tool in python3 python gnuplot; do
+    printf '#!/bin/sh\necho "hostile %s" >&2\nexit 1\n' $tool >hostile/$tool
+    chmod +x hostile/$tool
+  done
+  PATH=$PWD/hostile:$PATH
+}
+
+@test "what the set-up found is what is used, not what stands first on the PATH" {
+  hostile
+  checkout
+  run -0 checkout/scripts/setup.sh test
+  [ -z "$output" ]
+  # shellcheck disable=SC2016 # for that shell
+  run -0 bash -c '. checkout/scripts/tools.sh; python3 -c "import numpy, sympy; print(1)"; python -c "print(2)"
+    gnuplot -d -e "set terminal pngcairo; print 3" 2>&1'
+  [[ $output == 1$'\n'2$'\n'*3 ]]
+}
+
+@test "a tool that has all is taken from the PATH" {
+  local python
+  checkout
+  mkdir first
+  python=$(command -v python3)
+  printf '#!/bin/sh\nexec "%s" "$@" # first\n' "$python" >first/python3
+  chmod +x first/python3
+  PATH=$PWD/first:$PATH checkout/scripts/setup.sh test
+  grep -F first/python3 checkout/build/tools/python3
+}
+
 @test "the set-up names what is missing where nobody may install it" {
   local tool
+  checkout
   mkdir bin
-  for tool in bash cat env; do
+  for tool in bash cat chmod dirname env ln mkdir mv realpath tail; do
     ln -s "$(command -v $tool)" bin
   done
   printf '#!/bin/sh\necho 1000\n' >bin/id
   chmod +x bin/id
-  PATH=$PWD/bin refuses '*missing gcc gfortran *; as root: apt-get install *gnuplot-nox*' \
-    bash "$ROOT/scripts/setup.sh"
-  PATH=$PWD/bin refuses '*missing gcc *libcmocka-dev *bats *' \
-    bash "$ROOT/scripts/setup.sh" test
+  PATH=$PWD/bin refuses '*missing gcc gfortran *; as root: apt-get install *cmark-gfm*' \
+    bash checkout/scripts/setup.sh
+  PATH=$PWD/bin refuses '*missing gcc *g++ *libcmocka-dev *bats *' \
+    bash checkout/scripts/setup.sh test
   run -2 "$ROOT/scripts/setup.sh" nonsense
 }
 
 @test "the scripts and tests pass shellcheck" {
-  shellcheck "$ROOT"/scripts/{setup,build-auto}.sh "$ROOT"/tests/auto-demos.bats
+  shellcheck --external-sources --source-path="$ROOT/scripts" "$ROOT"/scripts/{setup,build-auto,tools}.sh "$ROOT"/tests/auto-demos.bats
 }

@@ -50,7 +50,7 @@ column() { # NAME of widths.csv, for the row LAYOUT B
     while IFS=, read -r c_d V f _; do
       n=$((n + 1))
       U=$(awk -v V="$V" -v c="$c_d" -v f="$f" 'BEGIN {
-        printf "{\x27omega_1\x27: %.12g, \x27speed_1\x27: %.12g, \x27logc_1\x27: %.12g}", f * 2 * atan2(0, -1) / 10, V / 10, log(c) / log(10) }')
+        printf "{\047omega_1\047: %.12g, \047speed_1\047: %.12g, \047logc_1\047: %.12g}", f * 2 * atan2(0, -1) / 10, V / 10, log(c) / log(10) }')
       auto_run "random.$n" boundary.point model="$layout.boundary" U="$U" b="$b" \
         compliance="$(awk -v k="$compliance" 'BEGIN { print 0.97 * k }')" \
         STOP="['UZ1']" UZR="{'compliance': $compliance}" -- > /dev/null || { rm -rf "build/runs/random.$n.part"; continue; }
@@ -65,7 +65,7 @@ column() { # NAME of widths.csv, for the row LAYOUT B
     srand(408)
     for (i = 0; i < 30; i++) {
       layout = i % 3 == 0 ? "l2" : i % 3 == 1 ? "li1" : "li2"
-      printf "%s %.6g %.6g\n", layout, 0.02 + 0.2 * rand(), layout == "l2" ? 0 : 200 * rand() }
+      printf "%s %.6g %.6g\n", layout, 0.02 + 0.2 * rand(), (layout == "l2" ? 0 : 200 * rand()) }
   }')
   echo "$cases cases, $compared points"
   [ "$cases" -eq 30 ]

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """derivation.py - the right-hand sides in C against a symbolic derivation
 
     tests/derivation.py [short]

@@ -178,6 +178,29 @@ fails() {
   refuses '*c.l1.straight*: NMX = many is not a finite number' auto_run a l1.straight NMX=many --
 }
 
+@test "values with which AUTO never ends" {
+  refuses '*c.l1.straight: ITNW = 0 is outside its range, 1 to 1000' auto_run a l1.straight ITNW=0 --
+  refuses '*c.l1.periodic: NCOL = 8 is outside its range, 2 to 7' auto_run a l1.periodic from=straight NCOL=8 --
+  refuses '*c.l1.periodic: NCOL = 1 is outside its range, 2 to 7' auto_run a l1.periodic from=straight NCOL=1 --
+  refuses '*c.l1.periodic: DSMAX = 0 is outside its range, 1e-12 to 1e+09' auto_run a l1.periodic from=straight DSMAX=0 --
+  refuses_file "$(line NMX)" 'NMX = -5 is outside its range, 0 to 1e+08' '/^NMX/s/5000/-5/'
+}
+
+@test "names that are none" {
+  local name
+  for name in "it's" a/b 'a b' .a -a ''; do
+    refuses "the name '$name': letters, digits, dot, _ and - only, and neither dot nor - first" auto_run "$name" l1.straight -- HB=4
+    refuses "the name '$name': *" scripts/curves.sh l1 "$name"
+  done
+  [ ! -e build/runs/a ]
+}
+
+@test "a run that meets its limit of time or of size says which" {
+  MLG_TIME_LIMIT=1 fails 'met the limit of time, 1 s of processor time; MLG_TIME_LIMIT gives another' long l1.straight DSMAX=1e-6 NMX=10000000 --
+  MLG_SIZE_LIMIT=1 fails 'met the limit of size, 1 MB in one file; MLG_SIZE_LIMIT gives another' long l1.straight -- HB=4
+  MLG_TIME_LIMIT=soon refuses 'MLG_TIME_LIMIT=soon: expected a whole number, 1 to 999999' auto_run long l1.straight -- HB=4
+}
+
 @test "words that are no settings" {
   refuses "*c.l1.straight: 'c_q' is neither an AUTO constant nor a parameter*" auto_run a l1.straight c_q=1 --
   refuses "*c.l1.straight: 'c_d': expected NAME=VALUE" auto_run a l1.straight c_d --
@@ -378,18 +401,31 @@ full() {
   done
 }
 
+# begin NAME COMMAND...: in the background, until AUTO has begun on that run
+begin() {
+  local name=$1
+  shift
+  rm -rf "build/runs/$name.part"
+  setsid env --default-signal=INT "$@" >stopped 2>&1 3>&- &
+  pid=$!
+  until [ -s "build/runs/$name.part/auto.log" ]; do
+    kill -0 $pid
+    sleep 0.02
+  done
+}
+
+# A run to be stopped takes minutes: a short one may be over before the signal is there
+# on a busy machine, and bash goes on where its command had ended by itself.
+readonly minutes=(DSMAX=1e-6 NMX=10000000)
+
 @test "a run stopped by Ctrl-C, or killed, and started again" {
   local signal pid
   for signal in INT KILL; do
     rm -rf build/runs/stopped.* build/tables/*
-    setsid env --default-signal=INT bash -c '. scripts/lib.sh
+    # shellcheck disable=SC2016 # for that shell
+    begin stopped.psi bash -c '. scripts/lib.sh
       run stopped.straight l1.straight -- HB=4
-      run stopped.psi l1.periodic from=stopped.straight -- TR=1 closed=1' >stopped 2>&1 3>&- &
-    pid=$!
-    until [ -e build/runs/stopped.psi.part ]; do
-      kill -0 $pid
-      sleep 0.02
-    done
+      run stopped.psi l1.periodic from=stopped.straight "$@" --' bash "${minutes[@]}"
     kill -$signal -- -$pid
     run ! wait $pid
     [ ! -e build/runs/stopped.psi ]
@@ -399,6 +435,20 @@ full() {
     [ "${#lines[@]}" -eq 1 ]
     [ ! -e build/runs/stopped.psi.part ]
     cmp <(tail -n +20 build/runs/psi/b.psi) <(tail -n +20 build/runs/stopped.psi/b.stopped.psi)
+  done
+}
+
+@test "a script that is ended takes its AUTO with it" {
+  local signal pid auto
+  for signal in TERM HUP KILL; do
+    begin stopped.alone scripts/run.sh stopped.alone l1.straight "${minutes[@]}" --
+    auto=$(find /proc -maxdepth 2 -path '/proc/[0-9]*/exe' -lname "$SCRATCH/build/models/l1.exe" 2>/dev/null) || true
+    [ -e "$auto" ]
+    kill -$signal $pid
+    run ! wait $pid
+    for _ in {1..100}; do [ -e "$auto" ] || break; sleep 0.05; done
+    [ ! -e "$auto" ]
+    [ ! -e build/runs/stopped.alone ]
   done
 }
 

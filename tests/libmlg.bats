@@ -42,8 +42,8 @@ command_of_guide() {
   cp docs/examples/rhs.c models/libmlg/libmlg.h build/lib/libmlg.a alone
   cd alone
   gcc -std=c11 -Wall -Wextra -Wpedantic -Werror rhs.c libmlg.a -lm -o rhs
-  echo '#include "libmlg.h"' >include.c
-  gcc -x c++ -std=c++11 -Wall -Wextra -Wpedantic -Werror -fsyntax-only include.c
+  echo '#include "libmlg.h"' >include.cc
+  g++ -std=c++11 -Wall -Wextra -Wpedantic -Werror -fsyntax-only include.cc
 }
 
 @test "a slip on the command line of the example" {

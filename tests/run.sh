@@ -4,6 +4,9 @@
 #   tests/run.sh             every test, as make test does
 #   tests/run.sh runs fail   those of the files whose names begin so
 #
+# What they need is built first, unless MLG_BUILT says that it is.  A program that does
+# not build has failed and stops no other.
+#
 # The files: tests/*.bats, and the C programs build/tests/NAME that make builds
 # from tests/test_NAME.c, one layout-LAYOUT for each layout from
 # tests/test_layout.c. All speak TAP, and run side by side, one per processor:
@@ -16,8 +19,8 @@
 #
 # Exit    0 all passed, 1 some failed, 2 no such tests
 set -euo pipefail
-cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
-export LC_ALL=C OMP_NUM_THREADS=1 CMOCKA_MESSAGE_OUTPUT=TAP
+. "$(dirname "$(realpath "$0")")/../scripts/tools.sh"
+export CMOCKA_MESSAGE_OUTPUT=TAP
 
 readonly limit=${TEST_TIMEOUT:-600} # seconds for one file
 readonly counts=build/tests/counts
@@ -52,6 +55,11 @@ chosen() {
   done | awk '!seen[$0]++'
 }
 
+build() {
+  make --no-print-directory test-set-up || exit
+  MLG_SET_UP=yes make --no-print-directory --keep-going test-programs || built=no
+}
+
 # TAP on standard output, and last the exit status. A stop is passed on.
 tap_of() { # name
   local command=("build/tests/$1") pid status=0
@@ -81,13 +89,14 @@ progress() { # BEGUN OF
 }
 
 main() {
-  local names name n=0 whole=no
+  local names name n=0 whole=no built=yes
   [ $# -gt 0 ] || whole=yes
   names=$(chosen "$@")
-  [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent test-programs
+  [ -n "${MLG_BUILT:-}" ] || build
   export MLG_BUILT=yes
   rm -rf "$counts"
   mkdir -p "$counts"
+  [ "$built" = yes ] || echo "0 1 0 programs: not all were built, see above" >"$counts/programs"
   trap stop INT TERM
   for name in $names; do
     while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do

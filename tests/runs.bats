@@ -34,7 +34,7 @@ special_points() {
   awk -F, -v run="$1" -v type="$2" -v columns="${*:3}" '
     /^#/ { next }
     $1 == "figure" { for (k = 1; k <= NF; k++) place[$k] = k; n = split(columns, wanted, " "); next }
-    $3 == run && $4 == type { for (k = 1; k <= n; k++) printf "%s%s", $place[wanted[k]], k < n ? " " : "\n" }
+    $3 == run && $4 == type { for (k = 1; k <= n; k++) printf "%s%s", $place[wanted[k]], (k < n ? " " : "\n") }
   ' results/special_points.csv
 }
 

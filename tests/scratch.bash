@@ -4,9 +4,10 @@
 
 # scratch NAME: makes it, goes there, and exports ROOT and SCRATCH
 scratch() {
-  export ROOT SCRATCH MLG_BUILT=yes LC_ALL=C OMP_NUM_THREADS=1
+  export ROOT SCRATCH MLG_BUILT=yes
   unset MAKEFLAGS MFLAGS MAKELEVEL AUTO_DIR AUTO_TARBALL
-  ROOT=$(realpath "$BATS_TEST_DIRNAME/..")
+  . "$(realpath "$BATS_TEST_DIRNAME")/../scripts/tools.sh"
+  ROOT=$PWD
   SCRATCH=$ROOT/build/tests/$1
   rm -rf "$SCRATCH"
   mkdir -p "$SCRATCH"/build/{models,bin} "$SCRATCH/tests"

@@ -7,14 +7,15 @@
 }
 
 @test "the C sources compile without a warning, also where C23 is the default" {
-  local file include
+  local file include sundials
   cd "$BATS_TEST_DIRNAME/.."
   include=$(sed -n 's/^AUTO_INCLUDE = //p' build/auto.mk)
+  read -ra sundials < <(scripts/sundials.sh)
   for file in models/*.c models/libmlg/*.c scripts/*.c scripts/mlg/*.c tests/eigen.c; do
     gcc -fsyntax-only -std=c11 -D_DEFAULT_SOURCE -Wall -Wextra -Wpedantic -Werror -Imodels -Imodels/libmlg -Iscripts -Ibuild/libmlg \
-      -isystem "$include" -DLAYOUT='"l1.c"' -DNAME=l1 "$file"
+      -isystem "$include" -DLAYOUT='"l1.c"' -DNAME=l1 "$file" "${sundials[@]}"
   done
   # whatever the user's flags, the models are compiled as C11
   make --no-print-directory -n -B build/models/l1.o build/bin/scan-l1 CC='gcc -std=gnu2x' CFLAGS=-O3 >"$BATS_TEST_TMPDIR/commands"
-  [ "$(grep -c '^gcc -std=gnu2x -O3 -std=c11' "$BATS_TEST_TMPDIR/commands")" -eq 2 ]
+  [ "$(grep -c '^{ gcc -std=gnu2x -O3 -std=c11' "$BATS_TEST_TMPDIR/commands")" -eq 2 ]
 }

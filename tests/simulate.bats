@@ -27,7 +27,7 @@ numbers() {
   awk -F, -v names="$*" '
     /^#/ { next }
     !n { n = split(names, name, " "); for (k = 1; k <= NF; k++) place[$k] = k; next }
-    { for (k = 1; k <= n; k++) printf "%s%s", $place[name[k]], k < n ? " " : "\n" }'
+    { for (k = 1; k <= n; k++) printf "%s%s", $place[name[k]], (k < n ? " " : "\n") }'
 }
 
 # refuses STATUS LINE LAYOUT WORD...
@@ -127,7 +127,7 @@ refuses() {
   run -2 scripts/simulate.sh l9 mine psi=0.3
   [ "$output" = "simulate: there is no layout 'l9', no models/l9.c" ]
   run -2 scripts/simulate.sh l1 ../mine psi=0.3
-  [ "$output" = "simulate: NAME '../mine': letters, digits, dot, _ and - only" ]
+  [ "$output" = "the name '../mine': letters, digits, dot, _ and - only, and neither dot nor - first" ]
 }
 
 @test "the picture has a dot for each tyre at each limit, and none elsewhere" {
@@ -137,7 +137,7 @@ refuses() {
   for start in 0.3 0.01; do
     build/bin/mlg simulate l1 history V=40 psi=$start t_end=1 >build/tables/dots.csv
     limits=$(grep -c ',limit$' build/tables/dots.csv) || [ "$limits" -eq 0 ]
-    run -0 env LC_ALL=C.UTF-8 gnuplot -e "figure='dots'" scripts/style.gp scripts/simulate.gp
+    run -0 env LC_ALL=C.UTF-8 gnuplot -d -e "figure='dots'" scripts/style.gp scripts/simulate.gp
     [ -z "$output" ] || { echo "$output" && return 1; }
     # one more in the key
     [ "$(grep -c "<use xlink:href='#gpPt6'" build/tables/dots.svg)" -eq $((limits ? 2 * limits + 1 : 0)) ]

@@ -12,8 +12,7 @@
 # Writes: build/tests/verify/PART.csv; the full form results/verification.csv
 # Status: 0 all rows pass, 1 a row or a part failed, 2 no such part
 set -euo pipefail
-cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
-export LC_ALL=C OMP_NUM_THREADS=1
+. "$(dirname "$(realpath "$0")")/../scripts/tools.sh"
 
 form=full
 if [ "${1:-}" = short ]; then form=short; shift; fi

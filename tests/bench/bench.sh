@@ -17,7 +17,7 @@
 # Writes  build/bench, nothing else
 # Exit    0; 1 if a comparison has other numbers than ours; 2 bad input
 # shellcheck disable=SC2317 # functions that compare calls
-. "$(dirname "$0")/../../scripts/lib.sh"
+. "$(dirname "$(realpath "$0")")/../../scripts/lib.sh"
 
 readonly pairs=${PAIRS:-11} long_pairs=${LONG_PAIRS:-3} bench=build/bench
 readonly first=496c6de # the first commit that makes all eight figures
@@ -275,11 +275,8 @@ part_xppaut() {
 }
 
 part_python() {
-  local python
-  for python in /usr/bin/python3 python3 ''; do
-    [ -z "$python" ] || ! "$python" -c 'import numpy' 2> /dev/null || break
-  done
-  [ -n "$python" ] || { left_out "map.py; apt-get install python3-numpy"; return; }
+  local python=python3
+  "$python" -c 'import numpy' 2> /dev/null || { left_out "map.py; apt-get install python3-numpy"; return; }
   heading "stability of straight rolling over (V, c_d), layout L1"
   export OPENBLAS_NUM_THREADS=1
   python="$python tests/bench/map.py 400 400"

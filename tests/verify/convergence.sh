@@ -17,7 +17,7 @@ shown() { # RUN TYPE COLUMN
 found() { # RUN TYPE COLUMN [V]
   awk -v wanted="$2" -v quantity="$3" -v V="${4:-}" -f scripts/auto.awk -f <(echo '
     type == wanted && (V == "" || (value["V"] - V) ^ 2 < 1e-12) && !n++ {
-      printf "%.10g", quantity == "frequency_hz" ? 1 / value["period"] : value[quantity] }
+      printf "%.10g", (quantity == "frequency_hz" ? 1 / value["period"] : value[quantity]) }
     END { if (!n) print "nan" }') "build/runs/$1/d.$1" "build/runs/$1/b.$1"
 }
 

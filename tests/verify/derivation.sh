@@ -6,6 +6,6 @@
 # Prints rows what,unit,ours,oracle,tolerance; short takes a tenth of the samples.
 # tests/derivation.py says what they mean and what is needed.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+. "$(dirname "${BASH_SOURCE[0]}")/../../scripts/tools.sh"
 [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent libmlg
-exec /usr/bin/python3 tests/derivation.py "$@"
+exec python3 tests/derivation.py "$@"

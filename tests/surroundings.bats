@@ -1,0 +1,135 @@
+# surroundings.bats - does what users have set for themselves, or another awk, change anything?
+#
+# Needs   the models (make models); the awks that are there
+# Writes  build/tests/surroundings
+
+bats_require_minimum_version 1.5.0
+load scratch
+
+setup_file() {
+  scratch surroundings
+  scripts/fig06.sh runs
+}
+
+setup() {
+  cd "$SCRATCH" || return
+}
+
+# as AWK: an awk of its own first on the PATH
+as() {
+  local awk
+  case $1 in
+  busybox) awk="$(command -v busybox) awk" ;;
+  posix) awk="env POSIXLY_CORRECT=1 $(command -v gawk)" ;;
+  *) awk=$(command -v "$1") ;;
+  esac || skip "no $1 here"
+  mkdir -p "awks/$1"
+  printf '#!/bin/sh\nexec %s "$@"\n' "$awk" >"awks/$1/awk"
+  chmod +x "awks/$1/awk"
+  PATH=$PWD/awks/$1:$PATH
+}
+
+# All tables of Figure 6, the targets and the page come out as they are
+tables_are_those_of_record() {
+  local table
+  rm -rf results build/tables
+  mkdir -p results
+  cp "$ROOT"/results/* results
+  rm results/{fig06,targets}.csv
+  scripts/fig06.sh tables
+  scripts/targets.sh >targets
+  cp "$ROOT"/results/versions.csv results # with what the tables were made is as it was
+  scripts/summary.sh
+  for table in fig06.csv targets.csv README.md; do
+    cmp "results/$table" "$ROOT/results/$table"
+  done
+  scripts/run.sh slice l1.straight c_d=1e4 -- HB=2
+  scripts/table.sh slice >slice.csv
+  [ "$(cut -d , -f 3 slice.csv | grep -c HB)" -eq 2 ]
+  scripts/curves.sh l1 plane >curves
+  grep -q 'c_d from 2754.35[0-9]* to 3018.9[0-9]*' curves
+  # without the other tables their targets are missed, and nothing else
+  awk -f scripts/targets.awk results/special_points.csv results/fig06.csv tests/targets.csv >few
+  grep -q '^V-H1,.*,yes$' few
+  grep -q '^W-LI1.gain,.*,no$' few
+}
+
+@test "mawk" { as mawk && tables_are_those_of_record; }
+
+@test "gawk" { as gawk && tables_are_those_of_record; }
+
+@test "gawk as POSIXLY_CORRECT has it" { as posix && tables_are_those_of_record; }
+
+@test "original-awk" { as original-awk && tables_are_those_of_record; }
+
+@test "CDPATH and POSIXLY_CORRECT" {
+  rm -rf build/runs/slice
+  export CDPATH=$ROOT:/ POSIXLY_CORRECT=1
+  (cd / && "$SCRATCH/scripts/run.sh" slice l1.straight -- HB=4)
+  [ -d "$SCRATCH/build/runs/slice" ]
+  run -0 bash scripts/run.sh slice l1.straight -- HB=4
+  [ -z "$output" ]
+  run -0 env -u MLG_BUILT make --no-print-directory help
+  [[ $output == *'  make test '* ]]
+}
+
+@test "a locale in which i is not between a and z" {
+  mkdir -p locale
+  localedef -i tr_TR -f UTF-8 "$PWD/locale/tr_TR.UTF-8" 2>/dev/null || skip "no source of that locale here"
+  rm -rf build/runs/slice
+  export LOCPATH=$PWD/locale LC_ALL=tr_TR.UTF-8
+  ! grep -q '[a-z]' <<<i || skip "it is, here"
+  run -0 env -u MLG_BUILT make --no-print-directory help
+  scripts/run.sh slice l1.straight -- HB=4
+}
+
+@test "a user's ~/.gnuplot changes no picture" {
+  mkdir -p home results
+  cp "$ROOT"/results/*.csv results
+  for HOME in $PWD/none $PWD/home; do
+    printf 'set title "mine"\nset terminal dumb\nset grid\n' >home/.gnuplot
+    rm -f build/tables/*.made
+    HOME=$HOME GNUTERM=dumb scripts/fig06.sh draw
+    cp results/fig06.svg "$(basename "$HOME").svg"
+  done
+  cmp none.svg home.svg
+}
+
+@test "a script works through a link" {
+  rm -rf build/runs/linked
+  ln -sfn "$SCRATCH/scripts/run.sh" mlg-run
+  run -0 ./mlg-run linked l1.straight -- HB=4
+  [[ $output == *linked* ]]
+  (cd / && "$SCRATCH/mlg-run" linked l1.straight -- HB=4)
+  ln -sfn "$ROOT/tests/run.sh" mlg-tests
+  run -2 ./mlg-tests nonsense
+  [[ $output == 'run.sh: no tests begin with "nonsense"'* ]]
+}
+
+@test "a clone with autocrlf has plain line ends" {
+  git -C "$ROOT" rev-parse HEAD >/dev/null 2>&1 || skip "no git here"
+  rm -rf clone
+  git -c core.autocrlf=true clone -q --no-hardlinks "$ROOT" clone
+  [ -z "$(find clone -path clone/.git -prune -o -type f ! -name '*.png' ! -name '*.gif' -exec grep -lI $'\r' {} +)" ]
+  cmp clone/results/fig06.png <(git -C "$ROOT" show HEAD:results/fig06.png)
+}
+
+@test "a test program that does not build has failed and stops no other" {
+  mkdir -p broken
+  cp -r "$ROOT"/{Makefile,scripts,models,constants,tests} broken
+  mkdir -p broken/build
+  cp "$ROOT/build/auto.mk" broken/build
+  ln -sfn "$ROOT/build/auto" broken/build/auto
+  cd broken
+  echo '#error broken' >>tests/test_model.c
+  run env -u MLG_BUILT MLG_SET_UP=yes make --keep-going build/tests/model build/tests/fuzz
+  [ "$status" -eq 2 ]
+  [ -x build/tests/fuzz ]
+  # an older program is not taken for it
+  cp build/tests/fuzz build/tests/model
+  touch -d '1 hour ago' build/tests/model
+  run env -u MLG_BUILT MLG_SET_UP=yes make build/tests/model
+  [ "$status" -eq 2 ]
+  MLG_BUILT=yes FUZZ=10 run -1 tests/run.sh model fuzz
+  [[ $output == *'model: printed no test result, status 127'* ]]
+}
