@@ -112,6 +112,10 @@ build/bin/constants: scripts/constants.c build/lib/libmlg.a Makefile
 	@mkdir -p $(@D)
 	@$(call compiled,$(CC) $(CFLAGS) $< build/lib/libmlg.a -lm)
 
+build/bin/mlg: $(wildcard scripts/mlg/*.[ch]) build/lib/libmlg.a Makefile
+	@mkdir -p $(@D)
+	@$(call whole,$(CC) $(CFLAGS) $(filter %.c,$^) build/lib/libmlg.a $(lapack) -lm)
+
 # the constants files a layout lacks in constants/: those of L2, else of L1
 define constants_rule
 build/constants/c.$(1): $(firstword $(wildcard constants/c.l2$(suffix $(1)) constants/c.l1$(suffix $(1)))) build/bin/constants

@@ -1,11 +1,11 @@
-/* autofile.c - AUTO's b. and d. files; see autofile.h
+/* autofile.c - AUTO's b. files; see autofile.h
  *
  * A line of b. is branch, point, type and label in 4, 6, 4 and 5 characters, then
  * numbers in 19 each; large ones touch, so that a line is cut up by places and not by
  * blanks.  Branch 0 marks the lines of a head: the first one has the four bounds, the
  * last one names the columns, 19 characters each.
  */
-#include "autofile.h"
+#include "autoread.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { HEAD = 19, FIELD = 19, WRAP = 9999, MOST_NAMES = 4096 };
+enum { HEAD = 19, FIELD = 19, MOST_NAMES = 4096 };
 
 int af_number(const char *text, size_t length, double *value)
 {
@@ -74,21 +74,13 @@ double af_value(const struct af_part *part, long point, int column)
 
 /* --- reading ------------------------------------------------------------------- */
 
-/* The text in hand, its next line, and what is known of the head being read. */
-struct reader {
-  const char *file, *at, *end;
-  long line;
-  struct text *why;
-};
-
-static int refuse(const struct reader *r, const char *what)
+int reader_refuse(const struct reader *r, const char *what)
 {
   text_add(r->why, "%s:%ld: %s", r->file, r->line, what);
   return -1;
 }
 
-/* The next line, without its end.  0 when there is none. */
-static int next_line(struct reader *r, const char **start, size_t *length)
+int reader_line(struct reader *r, const char **start, size_t *length)
 {
   const char *end;
 
@@ -104,8 +96,7 @@ static int next_line(struct reader *r, const char **start, size_t *length)
   return 1;
 }
 
-/* A whole number that fills the places from..to of a line. */
-static int place(const char *line, size_t length, size_t from, size_t to, long *value)
+int reader_number(const char *line, size_t length, size_t from, size_t to, long *value)
 {
   char copy[16];
   size_t n = 0;
@@ -282,9 +273,9 @@ static int read_head(struct head *h, const char *line, size_t length)
     read_columns(&h->part, line, length);
     return 1;
   } else if (begins(line, length, "parnames"))
-    read_names(&h->part.parameter, &h->part.parameters, line, line + length);
+    read_names(&h->part.parameter, &h->part.parameters, line + 4, line + length);
   else if (begins(line, length, "unames"))
-    read_names(&h->part.state, &h->part.states, line, line + length);
+    read_names(&h->part.state, &h->part.states, line + 4, line + length);
   else if (begins(line, length, "SP=")) {
     free(c->SP);
     c->SP = copy_of(line + 4, length - 4);
@@ -336,13 +327,13 @@ static int read_point(struct reader *r, struct af_branches *all, struct af_part 
   struct af_point *point;
   long n;
 
-  if (!place(line, length, 0, 4, &branch) || !place(line, length, 4, 10, &number)
-      || !place(line, length, 10, 14, &type) || !place(line, length, 14, 19, &label))
-    return refuse(r, length < HEAD ? "a line that is cut" : "no branch, point, type and label");
+  if (!reader_number(line, length, 0, 4, &branch) || !reader_number(line, length, 4, 10, &number)
+      || !reader_number(line, length, 10, 14, &type) || !reader_number(line, length, 14, 19, &label))
+    return reader_refuse(r, length < HEAD ? "a line that is cut" : "no branch, point, type and label");
   if (!*p)
-    return refuse(r, "a point before the names of the columns");
+    return reader_refuse(r, "a point before the names of the columns");
   if (labs(type) > 99)
-    return refuse(r, "no type of a point");
+    return reader_refuse(r, "no type of a point");
   n = labs(number);
   if ((*p)->points > 0) {
     const struct af_point *last = &(*p)->point[(*p)->points - 1];
@@ -363,15 +354,15 @@ static int read_point(struct reader *r, struct af_branches *all, struct af_part 
     const size_t from = HEAD + (size_t)k * FIELD;
 
     if (from + 2 > length)
-      return refuse(r, "a line that is cut: fewer numbers than columns");
+      return reader_refuse(r, "a line that is cut: fewer numbers than columns");
     if (!af_number(line + from, from + FIELD < length ? FIELD : length - from, x))
-      return refuse(r, "no number in one of the columns");
+      return reader_refuse(r, "no number in one of the columns");
     if (isnan(*x) && !(*p)->nan)
       (*p)->nan = r->line;
   }
   for (size_t i = HEAD + (size_t)(*p)->columns * FIELD; i < length; i++)
     if (line[i] != ' ')
-      return refuse(r, "more numbers than columns");
+      return reader_refuse(r, "more numbers than columns");
   return 0;
 }
 
@@ -383,8 +374,7 @@ static void free_head(struct head *h)
   free_names(&h->part.state, &h->part.states);
 }
 
-/* The line of the first zero byte, which no file of AUTO's has, or 0. */
-static long zero_byte(const struct text *text)
+long reader_zero(const struct text *text)
 {
   const char *zero = memchr(text->at, '\0', text->length);
   long line = 1;
@@ -396,28 +386,28 @@ static long zero_byte(const struct text *text)
 
 static int read_b(struct af_branches *all, const struct text *text, struct text *why)
 {
-  struct reader r = { all->file, text->at, text->at + text->length, zero_byte(text), why };
+  struct reader r = { all->file, text->at, text->at + text->length, reader_zero(text), why };
   struct head h = { .part.constants.SP = copy_of("", 0) };
   struct af_part *part = NULL;
   const char *line;
   size_t length;
-  int status = r.line > 0 ? refuse(&r, "a zero byte") : 0;
+  int status = r.line > 0 ? reader_refuse(&r, "a zero byte") : 0;
 
   r.line = 0;
-  while (status == 0 && next_line(&r, &line, &length)) {
+  while (status == 0 && reader_line(&r, &line, &length)) {
     long branch;
 
     if (r.at == r.end && text->at[text->length - 1] != '\n')
-      status = refuse(&r, "the last line is cut");
+      status = reader_refuse(&r, "the last line is cut");
     else if (length >= 4 && memcmp(line, "   0", 4) == 0) {
       if (read_head(&h, line, length)) {
         if (h.part.columns == 0)
-          status = refuse(&r, "no names of columns");
+          status = reader_refuse(&r, "no names of columns");
         else
           part = begin_part(all, &h);
       }
-    } else if (!place(line, length, 0, 4, &branch))
-      status = refuse(&r, "neither a point nor a line of the head");
+    } else if (!reader_number(line, length, 0, 4, &branch))
+      status = reader_refuse(&r, "neither a point nor a line of the head");
     else
       status = read_point(&r, all, &part, &h, line, length);
   }
@@ -425,126 +415,9 @@ static int read_b(struct af_branches *all, const struct text *text, struct text 
   return status;
 }
 
-/* --- d. --------------------------------------------------------------------------- */
-
-/* What d. says of the stability at points: blocks "Stable: n" with their eigenvalues.
- * The last one that stands there for a point is of the point itself, those before
- * belong to steps on the way. */
-struct blocks { size_t n, room; struct block { int run, branch, count, eigenvalues; long number; size_t eigenvalue; } *at; };
-
-static struct block *add_block(struct blocks *blocks)
-{
-  if (blocks->n == blocks->room) {
-    blocks->room = 2 * blocks->room + 64;
-    blocks->at = must_resize(blocks->at, blocks->room * sizeof *blocks->at);
-  }
-  return &blocks->at[blocks->n++];
-}
-
-/* The whole number or the number behind the word; 0 when the line has not the word. */
-static const char *behind(const char *line, size_t length, const char *word)
-{
-  const size_t n = strlen(word);
-
-  for (size_t i = 0; i + n <= length; i++)
-    if (memcmp(line + i, word, n) == 0)
-      return line + i + n;
-  return NULL;
-}
-
-static int read_eigenvalue(struct af_branches *all, size_t *n, size_t *room, const char *t, const char *end)
-{
-  double part[2];
-
-  while (t < end && (*t == ' ' || isdigit((unsigned char)*t))) /* its number, and a colon */
-    if (*t++ != ' ' && (t == end || *t == ' ' || *t == ':'))
-      break;
-  t += t < end && *t == ':';
-  for (int k = 0; k < 2; k++) {
-    if (end - t < 14 || !af_number(t, 14, &part[k]))
-      return 0;
-    t += 14;
-  }
-  if (*n + 2 > *room) {
-    *room = 2 * *room + 1024;
-    all->eigenvalue = must_resize(all->eigenvalue, *room * sizeof *all->eigenvalue);
-  }
-  all->eigenvalue[(*n)++] = part[0];
-  all->eigenvalue[(*n)++] = part[1];
-  return 1;
-}
-
-static int read_d(struct af_branches *all, struct blocks *blocks, const char *file, const struct text *text, struct text *why)
-{
-  struct reader r = { file, text->at, text->at + text->length, zero_byte(text), why };
-  size_t n = 0, room = 0, length;
-  const char *line;
-  int run = 0;
-
-  if (r.line > 0)
-    return refuse(&r, "a zero byte");
-  while (next_line(&r, &line, &length)) {
-    long branch, number, count;
-    const char *t;
-
-    if (r.at == r.end && text->at[text->length - 1] != '\n')
-      return refuse(&r, "the last line is cut");
-    if (length < 24)
-      continue;
-    if (behind(line, length, "Total Time")) {
-      all->timed = 1;
-      run++;
-    } else if ((t = behind(line, length, "Stable:"))) {
-      if (!place(line, length, 0, 4, &branch) || !place(line, length, 4, 10, &number)
-          || !place(t, (size_t)(line + length - t), 0, (size_t)(line + length - t) < 8 ? (size_t)(line + length - t) : 8, &count))
-        return refuse(&r, "no branch, point and number of stable eigenvalues");
-      *add_block(blocks) = (struct block){ .run = run, .branch = (int)labs(branch), .count = (int)count,
-                                           .number = (labs(number) - 1) % WRAP + 1, .eigenvalue = n };
-    } else if (blocks->n > 0 && ((t = behind(line, length, "Eigenvalue ")) || (t = behind(line, length, "Multiplier ")))
-               && place(line, length, 4, 10, &number)) {
-      if (!read_eigenvalue(all, &n, &room, t, line + length))
-        return refuse(&r, "no two numbers of an eigenvalue");
-      blocks->at[blocks->n - 1].eigenvalues++;
-    }
-  }
-  return 0;
-}
-
-/* Gives each point its last block.  Both files go through the same points in the same
- * order, and number them alike. */
-static void join_blocks(struct af_branches *all, const struct blocks *blocks)
-{
-  size_t at = 0;
-
-  for (int i = 0; i < all->parts; i++) {
-    struct af_part *p = &all->part[i];
-
-    for (long k = 0; k < p->points; k++) {
-      struct af_point *point = &p->point[k];
-      const long number = (point->number - 1) % WRAP + 1;
-      size_t found = at;
-
-      /* a point may have no block; then the next ones must not be passed over */
-      while (found < blocks->n && found - at < 400
-             && (blocks->at[found].branch != point->branch || blocks->at[found].number != number))
-        found++;
-      if (found == blocks->n || blocks->at[found].branch != point->branch || blocks->at[found].number != number)
-        continue;
-      while (found + 1 < blocks->n && blocks->at[found + 1].branch == point->branch
-             && blocks->at[found + 1].number == number && blocks->at[found + 1].run == blocks->at[found].run)
-        found++;
-      point->stable_count = blocks->at[found].count;
-      point->eigenvalues = blocks->at[found].eigenvalues;
-      point->eigenvalue = blocks->at[found].eigenvalue;
-      at = found + 1;
-    }
-  }
-}
-
 int af_read(struct af_branches *all, const char *b, const char *d, struct text *why)
 {
   struct text text = TEXT_NONE, none = TEXT_NONE;
-  struct blocks blocks = { 0, 0, NULL };
   int status;
 
   *all = (struct af_branches){ .file = copy_of(b, strlen(b)), .timed = 1 };
@@ -553,13 +426,10 @@ int af_read(struct af_branches *all, const char *b, const char *d, struct text *
     status = read_b(all, &text, why);
   if (status == 0 && d && read_file(d, &text, &none) == 0 && text.length > 0) {
     all->timed = 0;
-    status = read_d(all, &blocks, d, &text, why);
-    all->has_d = blocks.n > 0;
-    join_blocks(all, &blocks);
+    status = read_stability(all, d, &text, why);
   }
   text_free(&text);
   text_free(&none);
-  free(blocks.at);
   if (status != 0)
     af_free(all);
   return status;
