@@ -112,9 +112,12 @@ build/bin/constants: scripts/constants.c build/lib/libmlg.a Makefile
 	@mkdir -p $(@D)
 	@$(call compiled,$(CC) $(CFLAGS) $< build/lib/libmlg.a -lm)
 
+# Linked statically it starts in a third of the time, which a run that is up to date
+# takes no longer than; where the static libraries are not there it goes without.
 build/bin/mlg: $(wildcard scripts/mlg/*.[ch]) build/lib/libmlg.a Makefile
 	@mkdir -p $(@D)
-	@$(call whole,$(CC) $(CFLAGS) $(filter %.c,$^) build/lib/libmlg.a $(lapack) -lm)
+	@$(call whole,$(CC) $(CFLAGS) -static $(filter %.c,$^) build/lib/libmlg.a $(lapack) -lblas -lgfortran -lquadmath -lm) 2> /dev/null \
+	|| { $(call whole,$(CC) $(CFLAGS) $(filter %.c,$^) build/lib/libmlg.a $(lapack) -lm); }
 
 # the constants files a layout lacks in constants/: those of L2, else of L1
 define constants_rule

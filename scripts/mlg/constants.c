@@ -277,7 +277,7 @@ static void put_word(struct constants *c, const char *word)
 
     if (e && e->source == OF_WORD)
       bad_input(c, c->file, 0, "%s is given twice, as %s and %s", name, e->value, value);
-    set_entry(c, name, value, e ? e->line : 0, OF_WORD);
+    set_entry(c, name, value, 0, OF_WORD);
   } else
     bad_input(c, c->file, 0, "'%s' is neither an AUTO constant nor a parameter (parnames, models/mlg.h)", name);
 }

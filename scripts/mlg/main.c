@@ -4,9 +4,9 @@
 
 #include "command.h"
 
-extern const struct command command_constants, command_judge;
+extern const struct command command_constants, command_judge, command_run;
 
-static const struct command *const commands[] = { &command_constants, &command_judge };
+static const struct command *const commands[] = { &command_constants, &command_judge, &command_run };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static int help(const char *name)
