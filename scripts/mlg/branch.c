@@ -37,11 +37,18 @@ const char *point_type(const struct af_branches *all, const struct af_part *part
   return on_axis == 4 ? "HH" : name;
 }
 
-/* How far the multiplier that decides lies from the unit circle; that of them all
- * which is nearest to 1 is the trivial one. */
-static double decisive_distance(const struct af_branches *all, const struct af_point *p)
+/* AUTO takes a multiplier up to 1 + 1e-5 for stable, and d. has six digits. */
+static const double tolerance = 1.5e-5;
+
+/* The multipliers of an orbit but the trivial one, which is the nearest to 1: how many lie
+ * outside the unit circle, how many of these are real and above 1, how many cannot be
+ * told, and whether a single one that cannot is real and near 1. */
+struct multipliers { int outside, above_1, near, near_1; };
+
+static struct multipliers multipliers(const struct af_branches *all, const struct af_point *p)
 {
-  double nearest = INFINITY, largest = 0.;
+  struct multipliers m = { 0, 0, 0, 0 };
+  double nearest = INFINITY;
   int trivial = 0;
 
   for (int k = 0; k < p->eigenvalues; k++) {
@@ -53,25 +60,73 @@ static double decisive_distance(const struct af_branches *all, const struct af_p
   }
   for (int k = 0; k < p->eigenvalues; k++) {
     const double *mu = &all->eigenvalue[p->eigenvalue + 2 * (size_t)k];
+    const double beyond = hypot(mu[0], mu[1]) - 1.;
 
-    if (k != trivial)
-      largest = fmax(largest, hypot(mu[0], mu[1]));
+    if (k == trivial)
+      continue;
+    if (beyond > tolerance) {
+      m.outside++;
+      m.above_1 += mu[1] == 0. && mu[0] > 0.;
+    } else if (beyond >= -tolerance) {
+      m.near++;
+      m.near_1 += fabs(mu[1]) < tolerance && mu[0] > 0.;
+    }
   }
-  return fabs(largest - 1.);
+  return m;
+}
+
+/* Whether the parameter has an extremum at a point, or that is labelled as one where a
+ * real multiplier passes 1. */
+static int passes_1(const struct af_part *part, long i)
+{
+  const char *type = af_type_name(part->point[i].type);
+
+  if (strcmp(type, "LP") == 0 || strcmp(type, "BP") == 0)
+    return 1;
+  return i > 0 && i + 1 < part->points
+         && (af_value(part, i + 1, 0) - af_value(part, i, 0)) * (af_value(part, i, 0) - af_value(part, i - 1, 0)) <= 0.;
+}
+
+/* On a branch of orbits a real multiplier passes 1 at folds and branch points only.  So
+ * one that lies too near to 1 to be told is on the side that the next points tell: where
+ * all multipliers are clear, the number of those above 1 is even or odd as here.
+ * Returns 1 inside, 0 outside, -1 not known. */
+static int side_of_1(const struct af_branches *all, const struct af_part *part, long point, int above_1)
+{
+  if (passes_1(part, point))
+    return -1;
+  for (int way = -1; way <= 1; way += 2)
+    for (long i = point + way; i >= 0 && i < part->points && !passes_1(part, i); i += way) {
+      const struct multipliers m = multipliers(all, &part->point[i]);
+
+      if (part->point[i].eigenvalues > 1 && m.near == 0)
+        return (m.above_1 - above_1) % 2 == 0;
+    }
+  return -1;
 }
 
 int point_stability(const struct af_branches *all, const struct af_part *part, long point)
 {
   const struct af_point *p = &part->point[point];
-  const double tolerance = 1e-5;
+  struct multipliers m;
 
   if (is_curve(part) || part->constants.IPS == 0 || part->constants.ISP == 0)
     return -1;
   if (part->constants.IID > 0 && all->has_d && p->stable_count < 0)
     return -1;
-  if (is_orbits(part) && p->eigenvalues > 1 && decisive_distance(all, p) < 1.5 * tolerance) /* d. has 6 digits */
-    return -1;
-  return p->stable;
+  if (!is_orbits(part) || p->eigenvalues < 2)
+    return p->stable;
+  m = multipliers(all, p);
+  if (m.outside > 0 || m.near == 0)
+    return m.outside == 0;
+  if (m.near == 1 && m.near_1 == 1)
+    return side_of_1(all, part, point, m.above_1);
+  if (m.near == 2 && m.near_1 == 0) { /* a complex pair, of which pvls may know more digits: the largest |mu| - 1 */
+    const double torus = af_value(part, point, af_column(part, "torus"));
+
+    return fabs(torus) > 1e-7 && fabs(torus) < tolerance * 2. ? torus < 0. : -1;
+  }
+  return -1;
 }
 
 int looks_for(const struct af_constants *c, const char *type)

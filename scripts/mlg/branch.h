@@ -20,8 +20,8 @@ const char *point_type(const struct af_branches *all, const struct af_part *part
 
 /* 1 stable, 0 unstable, -1 not known: AUTO computed none (ISP = 0, curves of
  * bifurcation points, the first point of a branch of orbits), or the multiplier that
- * decides, of those beside the trivial one, lies within 1e-5 of the unit circle, which
- * is AUTO's own tolerance. */
+ * decides lies within AUTO's tolerance of the unit circle, 1e-5.  Near 1 it is told by the
+ * points that follow, up to the next fold or branch point. */
 int point_stability(const struct af_branches *all, const struct af_part *part, long point);
 
 /* Whether the run looked for points of a type ("HB"). */

@@ -4,9 +4,9 @@
 
 #include "command.h"
 
-extern const struct command command_constants, command_judge, command_run;
+extern const struct command command_constants, command_judge, command_run, command_table;
 
-static const struct command *const commands[] = { &command_constants, &command_judge, &command_run };
+static const struct command *const commands[] = { &command_constants, &command_judge, &command_run, &command_table };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static int help(const char *name)
