@@ -4,9 +4,13 @@
 
 #include "command.h"
 
-extern const struct command command_constants, command_judge, command_run, command_table;
+extern const struct command command_at, command_constants, command_crossing, command_judge, command_orbit, command_peak, command_point,
+  command_points, command_rows, command_run, command_shimmy, command_table, command_widths;
 
-static const struct command *const commands[] = { &command_constants, &command_judge, &command_run, &command_table };
+static const struct command *const commands[] = {
+  &command_at, &command_constants, &command_crossing, &command_judge, &command_orbit, &command_peak, &command_point,
+  &command_points, &command_rows, &command_run, &command_shimmy, &command_table, &command_widths,
+};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static int help(const char *name)
