@@ -9,7 +9,7 @@
 /* A column of the boundary point i, "ratio_2". */
 static double of_point(const struct run_data *data, long at, const char *what, int i)
 {
-  char name[16];
+  char name[32];
 
   snprintf(name, sizeof name, "%s_%d", what, i);
   return number_at(data, 0, at, name);
