@@ -16,6 +16,54 @@
 
 enum { HEAD = 19, FIELD = 19, MOST_NAMES = 4096 };
 
+/* Digits with a point and an exponent of AUTO's length, exactly: a whole number below
+ * 2^53 times or by a power of ten up to 10^22 is rounded once.  0 for anything else. */
+static int plain_number(const char *t, const char *end, double *value)
+{
+  static const double power[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11,
+                                  1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22 };
+  const int negative = *t == '-';
+  int digits = 0, behind = 0, point = 0, exponent = 0, sign = 1;
+  uint64_t whole = 0;
+
+  for (t += *t == '-' || *t == '+'; t < end && (isdigit((unsigned char)*t) || (*t == '.' && !point)); t++) {
+    if (*t == '.')
+      point = 1;
+    else {
+      whole = 10 * whole + (uint64_t)(*t - '0');
+      digits++;
+      behind += point;
+    }
+  }
+  if (digits == 0 || digits > 15)
+    return 0;
+  if (t < end) {
+    const char *first;
+
+    if (*t != 'E' && *t != 'e')
+      return 0;
+    t++;
+    if (t < end && (*t == '-' || *t == '+'))
+      sign = *t++ == '-' ? -1 : 1;
+    for (first = t; t < end && isdigit((unsigned char)*t) && t - first < 4; t++)
+      exponent = 10 * exponent + (*t - '0');
+    if (t == first || t < end)
+      return 0;
+  }
+  exponent = sign * exponent - behind;
+  if (whole == 0)
+    *value = 0.;
+  else if (exponent >= 0 && exponent <= 22)
+    *value = (double)whole * power[exponent];
+  else if (exponent < 0 && exponent >= -22)
+    *value = (double)whole / power[-exponent];
+  else
+    return 0;
+  if (negative)
+    *value = -*value;
+  return 1;
+}
+
 int af_number(const char *text, size_t length, double *value)
 {
   char copy[64];
@@ -26,6 +74,8 @@ int af_number(const char *text, size_t length, double *value)
     text++, length--;
   while (length > 0 && isspace((unsigned char)text[length - 1]))
     length--;
+  if (length > 0 && plain_number(text, text + length, value))
+    return 1;
   if (length == 0 || length >= sizeof copy - 2 || memchr(text, 'x', length) || memchr(text, 'X', length))
     return 0;
   for (size_t i = 0; i < length; i++) {

@@ -18,15 +18,22 @@ static struct block *add_block(struct blocks *blocks)
   return &blocks->at[blocks->n++];
 }
 
-/* What stands behind the word in a line, or NULL. */
-static const char *behind(const char *line, size_t length, const char *word)
+enum { WORD = 19 }; /* where the words about stability stand in a line */
+
+/* What stands behind the word at a place of a line, or NULL. */
+static const char *behind(const char *line, size_t length, size_t from, const char *word)
 {
   const size_t n = strlen(word);
 
-  for (size_t i = 0; i + n <= length; i++)
-    if (memcmp(line + i, word, n) == 0)
-      return line + i + n;
-  return NULL;
+  return length >= from + n && memcmp(line + from, word, n) == 0 ? line + from + n : NULL;
+}
+
+/* The count behind "Eigenvalues  :   Stable:" or "Multipliers:     Stable:", or NULL. */
+static const char *behind_stable(const char *line, size_t length)
+{
+  const char *t = behind(line, length, WORD, "Eigenvalues  :   Stable:");
+
+  return t ? t : behind(line, length, WORD, "Multipliers:     Stable:");
 }
 
 /* re and im, 14 characters each, behind the number of an eigenvalue, which has 3, and
@@ -63,18 +70,16 @@ static int read_blocks(struct af_branches *all, struct blocks *blocks, const cha
 
     if (r.at == r.end && text->at[text->length - 1] != '\n')
       return reader_refuse(&r, "the last line is cut");
-    if (length < 24)
-      continue;
-    if (behind(line, length, "Total Time")) {
+    if (behind(line, length, 1, "Total Time")) {
       all->timed = 1;
       run++;
-    } else if ((t = behind(line, length, "Stable:"))) {
+    } else if ((t = behind_stable(line, length))) {
       if (!reader_number(line, length, 0, 4, &branch) || !reader_number(line, length, 4, 10, &number)
           || !reader_number(t, (size_t)(line + length - t), 0, (size_t)(line + length - t) < 8 ? (size_t)(line + length - t) : 8, &count))
         return reader_refuse(&r, "no branch, point and number of stable eigenvalues");
       *add_block(blocks) = (struct block){ .run = run, .branch = (int)labs(branch), .count = (int)count,
                                            .number = (labs(number) - 1) % WRAP + 1, .eigenvalue = n };
-    } else if (blocks->n > 0 && ((t = behind(line, length, "Eigenvalue")) || (t = behind(line, length, "Multiplier")))
+    } else if (blocks->n > 0 && ((t = behind(line, length, WORD, "Eigenvalue")) || (t = behind(line, length, WORD, "Multiplier")))
                && reader_number(t, (size_t)(line + length - t), 0, 3, &number)) {
       if (!read_eigenvalue(all, &n, &room, t, line + length))
         return reader_refuse(&r, "no two numbers of an eigenvalue");

@@ -66,7 +66,7 @@ static int print_phases(const struct solution *s, long steps, const char *prefix
 
     if (at >= time_at(s, s->rows - 1))
       at -= period;
-    while (i < s->rows - 3 && time_at(s, i + 1) <= at)
+    while (i < s->rows - 2 && time_at(s, i + 1) <= at)
       i++;
     w = (at - time_at(s, i)) / (time_at(s, i + 1) - time_at(s, i));
     shown_at(s, i, column, l_delta, here);

@@ -14,13 +14,14 @@ static uint64_t turn(uint64_t x, int by)
 }
 
 /* little endian, whatever the machine */
-static uint64_t word(const unsigned char *p, int bytes)
+static uint64_t word4(const unsigned char *p)
 {
-  uint64_t x = 0;
+  return (uint64_t)p[0] | (uint64_t)p[1] << 8 | (uint64_t)p[2] << 16 | (uint64_t)p[3] << 24;
+}
 
-  for (int i = bytes - 1; i >= 0; i--)
-    x = x << 8 | p[i];
-  return x;
+static uint64_t word8(const unsigned char *p)
+{
+  return word4(p) | word4(p + 4) << 32;
 }
 
 static uint64_t mixed(uint64_t sum, uint64_t x)
@@ -38,16 +39,16 @@ uint64_t sum_of(const void *bytes, size_t length)
 
     for (; end - p >= 32; p += 32)
       for (int k = 0; k < 4; k++)
-        lane[k] = mixed(lane[k], word(p + 8 * k, 8));
+        lane[k] = mixed(lane[k], word8(p + 8 * k));
     sum = turn(lane[0], 1) + turn(lane[1], 7) + turn(lane[2], 12) + turn(lane[3], 18);
     for (int k = 0; k < 4; k++)
       sum = (sum ^ mixed(0, lane[k])) * P1 + P4;
   }
   sum += length;
   for (; end - p >= 8; p += 8)
-    sum = turn(sum ^ mixed(0, word(p, 8)), 27) * P1 + P4;
+    sum = turn(sum ^ mixed(0, word8(p)), 27) * P1 + P4;
   if (end - p >= 4) {
-    sum = turn(sum ^ word(p, 4) * P1, 23) * P2 + P3;
+    sum = turn(sum ^ word4(p) * P1, 23) * P2 + P3;
     p += 4;
   }
   for (; p < end; p++)

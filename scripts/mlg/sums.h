@@ -6,7 +6,7 @@
 
 #include "text.h"
 
-/* XXH64 of Y. Collet with seed 0, as `xxhsum -H1` prints it: 5 GB/s, and a change by
+/* XXH64 of Y. Collet with seed 0, as `xxhsum -H1` prints it: fast, and a change by
  * chance goes unnoticed once in 2^64. */
 uint64_t sum_of(const void *bytes, size_t length);
 
