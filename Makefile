@@ -239,7 +239,7 @@ to_test_layout = $(to_test) -D_DEFAULT_SOURCE -isystem $(AUTO_INCLUDE) -DLAYOUT=
 test: test-programs ## every test; tests/run.sh runs some of them
 	@tests/run.sh
 
-test-programs: $(models) $(libraries) $(tests) $(layout_tests) $(oracles) \
+test-programs: $(models) build/bin/mlg $(libraries) $(tests) $(layout_tests) $(oracles) \
                $(foreach tool,draw $(damped),$(layouts:%=build/bin/$(tool)-%)) build/bin/gear \
                $(foreach tool,$(integrating),$(layouts:%=build/bin/$(tool)-%))
 
@@ -274,6 +274,9 @@ $(tests): build/tests/%: tests/test_%.c build/auto.mk Makefile
 
 build/tests/integrate: with = $(sundials)
 build/tests/criticality: with = $(lapack)
+mlg_reader = $(patsubst %,scripts/mlg/%.c,text autofile autostability autosolution branch ending judge sums)
+build/tests/autofile: with = $(mlg_reader) build/lib/libmlg.a $(lapack)
+build/tests/autofile: $(mlg_reader) $(wildcard scripts/mlg/*.h) build/lib/libmlg.a
 build/tests/fuzz: with = build/lib/libmlg.a
 build/tests/fuzz: build/lib/libmlg.a
 

@@ -41,7 +41,7 @@ static void complain(struct judgement *out, const char *text)
   text_add(&out->complaints, "%s%s", out->complaints.length ? "; " : "", text);
 }
 
-int check_expected(char *const expected[], int n, struct text *why)
+int check_expectations(char *const expected[], int n, struct text *why)
 {
   for (int i = 0; i < n; i++) {
     const char *equals = strchr(expected[i], '=');

@@ -44,6 +44,6 @@ void judgement_free(struct judgement *judgement);
 
 /* Whether all words are TYPE=COUNT, TYPE one that points or branches can have (HB, HH,
  * closed, ...), none twice.  Returns 0, or -1 with a line in why. */
-int check_expected(char *const expected[], int n, struct text *why);
+int check_expectations(char *const expected[], int n, struct text *why);
 
 #endif

@@ -16,7 +16,7 @@ static int run(int argc, char *argv[])
     fputs("usage: mlg judge RUN|FOLDER [-- TYPE=COUNT ...]\n", stderr);
     return MLG_BAD_INPUT;
   }
-  if (check_expected(argv + (argc > 3 ? 3 : argc), argc > 3 ? argc - 3 : 0, &why) != 0) {
+  if (check_expectations(argv + (argc > 3 ? 3 : argc), argc > 3 ? argc - 3 : 0, &why) != 0) {
     fprintf(stderr, "judge: %s\n", why.at);
     text_free(&why);
     return MLG_BAD_INPUT;

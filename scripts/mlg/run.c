@@ -109,7 +109,7 @@ static int read_words(struct request *r, int argc, char *argv[])
     return refuse("run: from='%s': %s", r->from, NAME_RULE);
   if (r->model && !is_name(r->model))
     return refuse("run: model='%s': %s", r->model, NAME_RULE);
-  if (check_expected(r->expected, r->n_expected, &why) != 0) {
+  if (check_expectations(r->expected, r->n_expected, &why) != 0) {
     fprintf(stderr, "%s: %s\n", r->name, why.at);
     text_free(&why);
     return MLG_BAD_INPUT;
