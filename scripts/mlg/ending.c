@@ -56,12 +56,49 @@ static int has_states(int layout, const struct af_part *part)
   return 1;
 }
 
+/* Whether a solution is of a point of the part: their parameters are the same. */
+static int is_of_point(const struct af_part *part, long point, const double par[], int parameters)
+{
+  for (int k = 0; k < part->columns; k++) {
+    const int slot = slot_of(part, part->column[k]);
+    const double x = af_value(part, point, k);
+
+    if (slot > 0 && slot <= parameters && !(fabs(par[slot - 1] - x) <= 1e-9 * fabs(x) + 1e-300))
+      return 0;
+  }
+  return 1;
+}
+
+/* All parameters of the part's run, from one of its solutions in s., where there may be
+ * those of other runs too.  0 when there is none. */
+static int find_parameters(struct rolling *r, const struct af_part *part, const struct af_solutions *solutions)
+{
+  struct text why = TEXT_NONE;
+  int known = 0;
+
+  for (long i = 0; i < part->points && !known; i++)
+    for (int k = 0; k < solutions->n && part->point[i].label > 0 && !known; k++) {
+      const struct af_solution *one = &solutions->solution[k];
+      double *par;
+
+      if (one->label != part->point[i].label || one->type != part->point[i].type
+          || one->parameters <= mlg_parameters[MLG_PARAMETER_COUNT - 1].slot)
+        continue;
+      par = must_allocate((size_t)one->parameters * sizeof *par);
+      known = af_solution_parameters(solutions, one, par, &why) == 0 && is_of_point(part, i, par, one->parameters);
+      for (int n = 0; n < MLG_PARAMETER_COUNT && known; n++)
+        r->par[parameter_at(mlg_parameters[n].slot + 1)] = par[mlg_parameters[n].slot];
+      free(par);
+    }
+  text_free(&why);
+  return known;
+}
+
 /* Everything but the value of the continued parameter; 0 when it is not known. */
 static int find_rolling(struct rolling *r, const struct af_part *part, const char *s, const char *layout)
 {
   struct af_solutions solutions;
   struct text why = TEXT_NONE;
-  double *par = NULL;
   int known = 0;
 
   r->layouts = 0;
@@ -69,19 +106,11 @@ static int find_rolling(struct rolling *r, const struct af_part *part, const cha
     if (layout ? strcmp(libmlg_layout_name(i), layout) == 0 : has_states(i, part))
       r->layout[r->layouts++] = i;
   r->parameter = parameter_at(slot_of(part, part->column[0]));
-  if (r->layouts == 0 || r->parameter == LIBMLG_NONE || !s || af_read_solutions(&solutions, s, &why) != 0) {
-    text_free(&why);
-    return 0;
-  }
   libmlg_defaults(r->par);
-  if (solutions.n > 0 && solutions.solution[0].parameters >= mlg_parameters[MLG_PARAMETER_COUNT - 1].slot + 1) {
-    par = must_allocate((size_t)solutions.solution[0].parameters * sizeof *par);
-    known = af_solution_parameters(&solutions, &solutions.solution[0], par, &why) == 0;
-    for (int k = 0; k < MLG_PARAMETER_COUNT && known; k++)
-      r->par[parameter_at(mlg_parameters[k].slot + 1)] = par[mlg_parameters[k].slot];
-    free(par);
+  if (r->layouts > 0 && r->parameter != LIBMLG_NONE && s && af_read_solutions(&solutions, s, &why) == 0) {
+    known = find_parameters(r, part, &solutions);
+    af_free_solutions(&solutions);
   }
-  af_free_solutions(&solutions);
   text_free(&why);
   return known;
 }

@@ -22,7 +22,7 @@ struct ending {
 };
 
 /* The ending of a part that is_orbits; that of any other has all points.  s: AUTO's s.
- * file, or NULL; from its first solution come the parameters that are no columns.
+ * file, or NULL; from a solution of the part come the parameters that are no columns.
  * layout: the name of the layout, or NULL for any that has these states.  A branch
  * whose layout or parameters are not known is not called closed. */
 struct ending find_ending(const struct af_part *part, const char *s, const char *layout);
