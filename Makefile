@@ -274,7 +274,7 @@ $(tests): build/tests/%: tests/test_%.c build/auto.mk Makefile
 
 build/tests/integrate: with = $(sundials)
 build/tests/criticality: with = $(lapack)
-mlg_reader = $(patsubst %,scripts/mlg/%.c,text autofile autostability autosolution branch ending judge sums)
+mlg_reader = $(patsubst %,scripts/mlg/%.c,text autofile autonumber autostability autosolution branch ending judge judgepoints sums)
 build/tests/autofile: with = $(mlg_reader) build/lib/libmlg.a $(lapack)
 build/tests/autofile: $(mlg_reader) $(wildcard scripts/mlg/*.h) build/lib/libmlg.a
 build/tests/fuzz: with = build/lib/libmlg.a
