@@ -15,7 +15,7 @@ SHELL = /bin/bash
 ifeq ($(origin CC),default)
 CC = gcc
 endif
-# users' own, which would change what tools read and say (scripts/tools.sh)
+# users' own, which would change what tools read and say (scripts/auto/tools.sh)
 export LC_ALL = C
 unexport CDPATH POSIXLY_CORRECT
 export MLG_BUILT = yes
@@ -27,9 +27,9 @@ ifneq ($(misnamed),)
 $(error models/$(firstword $(misnamed)).c: the name of a layout has letters, digits and _, a letter first)
 endif
 models := $(layouts:%=build/models/%.exe) $(layouts:%=build/models/%.boundary.exe) \
-          $(layouts:%=build/bin/scan-%) $(layouts:%=build/bin/curves-%) build/bin/constants build/bin/mlg
+          build/bin/mlg
 # asked once, of what is built with it
-sundials = $(eval sundials := $(shell CC="$(CC)" scripts/sundials.sh))$(sundials)
+sundials = $(eval sundials := $(shell CC="$(CC)" scripts/auto/sundials.sh))$(sundials)
 lapack = -llapacke -llapack
 numerics = $(lapack) $(sundials) -lm
 runs := $(patsubst constants/c.l1.%,%,$(wildcard constants/c.l1.*))
@@ -42,13 +42,13 @@ goals := $(or $(MAKECMDGOALS),figures)
 .PHONY: figures page check-pages models libmlg collect drawings test fuzz test-programs check-scripts setup bench clean distclean help always
 
 figures: ## every figure and the table of paper against computed values
-	@scripts/targets.sh
-	@scripts/summary.sh
-	@scripts/page.sh
+	@scripts/report/targets.sh
+	@scripts/report/summary.sh
+	@scripts/report/page.sh
 
 page: ## the results as one page, build/results.html, from the tables that are there
-	@scripts/summary.sh
-	@scripts/page.sh
+	@scripts/report/summary.sh
+	@scripts/report/page.sh
 
 models: $(models) ## the layouts as AUTO executables, build/models/*.exe
 
@@ -68,7 +68,7 @@ endif
 
 build/auto.mk: $(if $(MLG_SET_UP),,always)
 	@scripts/setup.sh $(if $(filter $(need_test_packages),$(goals)),test,figures)
-	@AUTO_DIR='$(auto_given)' scripts/build-auto.sh
+	@AUTO_DIR='$(auto_given)' scripts/auto/build-auto.sh
 
 # What a command makes has a name of its own until it is whole: neither a second
 # make in this tree nor an interrupted one leaves half a file behind.  What cannot be
@@ -115,16 +115,12 @@ build/models/%.boundary.exe: build/models/%.device.o build/models/boundary.o
 build/models/%.exe: build/models/%.o build/models/gear.o
 	@$(call whole,$(AUTO_FC) $^ $(AUTO_LINK))
 
-build/bin/constants: scripts/constants.c build/lib/libmlg.a Makefile
-	@mkdir -p $(@D)
-	@$(call compiled,$(CC) $(CFLAGS) $< build/lib/libmlg.a -lm)
-
 # the constants files a layout lacks in constants/: those of L2, else of L1
 define constants_rule
-build/constants/c.$(1): $(firstword $(wildcard constants/c.l2$(suffix $(1)) constants/c.l1$(suffix $(1)))) build/bin/constants
+build/constants/c.$(1): $(firstword $(wildcard constants/c.l2$(suffix $(1)) constants/c.l1$(suffix $(1)))) build/bin/mlg
 	@mkdir -p $$(@D)
 	@{ echo "# $$<, made one for layout $(basename $(1)) by the Makefile"; \
-	  build/bin/constants $$< layout=$(basename $(1)); } > $$@.$$$$$$$$ && mv $$@.$$$$$$$$ $$@
+	  build/bin/mlg constants $$< layout=$(basename $(1)); } > $$@.$$$$$$$$ && mv $$@.$$$$$$$$ $$@
 endef
 $(foreach file,$(made_constants),$(eval $(call constants_rule,$(file))))
 
@@ -153,16 +149,17 @@ build/lib/libmlg.so: $(library_parts) $(library_layouts) build/models/gear.o
 	@$(call whole,$(CC) -shared $^ $(numerics))
 
 # --- mlg: the one command on it ------------------------------------------------
-mlg_parts := $(patsubst scripts/mlg/%.c,build/mlg/%.o,$(filter-out %/drawn.c,$(wildcard scripts/mlg/*.c)))
+mlg_parts := $(patsubst scripts/mlg/%.c,build/mlg/%.o,$(filter-out %/drawn.c,$(wildcard scripts/mlg/*.c scripts/mlg/*/*.c)))
 mlg_drawn := $(layouts:%=build/mlg/drawn-%.o)
-mlg_cc = $(CC) $(CFLAGS) -Imodels -Imodels/libmlg -Ibuild/libmlg -c
+mlg_includes = -Imodels -Imodels/libmlg -Ibuild/libmlg -Iscripts/mlg -Iscripts/mlg/gear -Iscripts/mlg/auto
+mlg_cc = $(CC) $(CFLAGS) $(mlg_includes) -c
 
 $(mlg_parts): build/mlg/%.o: scripts/mlg/%.c build/libmlg/layouts.h Makefile
 	@mkdir -p $(@D)
 	@$(call compiled,$(mlg_cc) $<)
 
 # a tree of names, for which any optimisation is too much
-$(mlg_drawn): build/mlg/drawn-%.o: scripts/mlg/drawn.c models/%.c Makefile
+$(mlg_drawn): build/mlg/drawn-%.o: scripts/mlg/gear/drawn.c models/%.c Makefile
 	@mkdir -p $(@D)
 	@$(call compiled,$(mlg_cc) -O0 -DLAYOUT='"$*.c"' -DNAME=$* $<)
 
@@ -172,7 +169,7 @@ build/bin/mlg: $(mlg_parts) $(mlg_drawn) build/lib/libmlg.a
 	@mkdir -p $(@D)
 	@$(call whole,$(CC) -static $^ $(numerics) -lblas -lgfortran -lquadmath -lm) 2> /dev/null || { $(call whole,$(CC) $^ $(numerics)); }
 
--include $(wildcard build/models/*.d build/libmlg/*.d build/mlg/*.d build/bin/*.d build/tests/*.d build/tests/libmlg/*.d)
+-include $(wildcard build/models/*.d build/libmlg/*.d build/mlg/*.d build/mlg/*/*.d build/bin/*.d build/tests/*.d build/tests/libmlg/*.d)
 .SECONDARY:
 
 # --- figures: runs side by side, then tables, then the picture ---------------
@@ -256,7 +253,7 @@ docs/drawings/%.svg: build/bin/mlg models/%.c
 tests := $(filter-out build/tests/layout,$(patsubst tests/test_%.c,build/tests/%,$(wildcard tests/test_*.c)))
 layout_tests := $(layouts:%=build/tests/layout-%)
 oracles := $(layouts:%=build/bin/eigen-%)
-to_test = -Imodels -Imodels/libmlg -Ibuild/libmlg -Iscripts
+to_test = $(mlg_includes)
 to_test_layout = $(to_test) -D_DEFAULT_SOURCE -isystem $(AUTO_INCLUDE) -DLAYOUT='"$*.c"'
 
 test: ## every test; tests/run.sh runs some of them, and has them built
@@ -304,9 +301,9 @@ $(tests): build/tests/%: tests/test_%.c build/auto.mk Makefile
 checked_library := $(patsubst build/libmlg/%,build/tests/libmlg/%,$(library_parts) $(library_layouts))
 checked_cc = $(CC) $(TEST_CFLAGS) -Imodels -Imodels/libmlg -Ibuild/libmlg -c
 
-mlg_reader = $(patsubst %,scripts/mlg/%.c,text autofile autonumber autostability autosolution branch ending judge judgepoints sums)
+mlg_reader = $(patsubst %,scripts/mlg/auto/%.c,text autofile autonumber autostability autosolution branch ending judge judgepoints sums)
 build/tests/autofile: with = $(mlg_reader) build/tests/libmlg.a $(lapack)
-build/tests/autofile: $(mlg_reader) $(wildcard scripts/mlg/*.h) build/tests/libmlg.a
+build/tests/autofile: $(mlg_reader) $(wildcard scripts/mlg/*/*.h) build/tests/libmlg.a
 
 $(filter-out build/tests/libmlg/layout-%,$(checked_library)): build/tests/libmlg/%.o: models/libmlg/%.c build/libmlg/layouts.h Makefile
 	@mkdir -p $(@D)

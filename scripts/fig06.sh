@@ -11,7 +11,7 @@
 #         a delta branch from 25.09 to 61.62 with one at 27.37; A (V = 20):
 #         psi 3.67 degrees; B (V = 40): delta* 12.2 mm.  (b) one stable delta
 #         branch.  (c) one stable psi branch.
-. "$(dirname "$(realpath "$0")")/lib.sh"
+. "$(dirname "$(realpath "$0")")/auto/lib.sh"
 
 runs_a() {
   run fig06.a.straight l1.straight c_d=3.6e4 -- HB=4 UZ=1
@@ -30,29 +30,26 @@ runs_c() {
 }
 
 tables() {
-  local panel branch every
+  local panel branch
   begin_table results/fig06.csv \
     "# Figure 6. panel: a c_d = 3.6e4, b 5e3, c 2e3 N m s/rad; V m/s; psi_max deg; dstar_max m;" \
     "# stable: 1 yes, 0 no (a bifurcation point: 1); type: HB Hopf, TR torus" \
     panel,branch,type,V,psi_max,dstar_max,stable
   for panel in a b c; do
-    points 6 "fig06.$panel.straight"
-    case $panel in
-      a) set -- straight psi delta ;;
-      b) set -- straight delta ;;
-      c) set -- straight psi ;;
-    esac
-    for branch; do
-      every=50
-      if [ "$branch" != straight ]; then
-        every=1
-        [ "$(shimmy_of "fig06.$panel.$branch")" = "$branch" ] || fail "fig06.$panel.$branch is no $branch-shimmy"
-        points 6 "fig06.$panel.$branch"
-      fi
-      rows "$panel,$branch" "type V psi_max dstar_max stable" "$every" "fig06.$panel.$branch"
+    points 6,l1 "fig06.$panel.straight"
+    branch_rows "$panel" straight every=50
+    for branch in psi delta; do
+      [ -d "build/runs/fig06.$panel.$branch" ] || continue
+      [ "$(mlg shimmy "fig06.$panel.$branch")" = "$branch" ] || fail "fig06.$panel.$branch is no $branch-shimmy"
+      points 6,l1 "fig06.$panel.$branch"
+      branch_rows "$panel" "$branch" ends
     done
   done
   end_table
+}
+
+branch_rows() { # PANEL BRANCH WORD
+  rows "fig06.$1.$2" prefix="$1,$2" columns=type,V,psi_max,dstar_max,stable:d bifurcations=stable "$3"
 }
 
 main fig06 "$@"

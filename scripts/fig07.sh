@@ -10,7 +10,7 @@
 # Expect: double Hopf points HH at (24.84, 3.204e4) and (60.98, 6.188e4), each
 #         found on both Hopf curves; boundary points (LP) at c_d = 2754.35,
 #         3018.98 and 31588; two torus curves between the HH points.
-. "$(dirname "$(realpath "$0")")/lib.sh"
+. "$(dirname "$(realpath "$0")")/auto/lib.sh"
 
 runs_hopf() {
   scripts/fig06.sh runs a
@@ -41,38 +41,34 @@ runs_torus_psi_down() { torus_runs psi down; }
 runs_torus_delta() { torus_runs delta up down; }
 
 tables() {
-  local psi delta low # alone, so that a failure ends the script
-  use_run fig06.a.psi fig06.a.delta fig06.c.psi
-  psi=$(shimmy_of fig06.a.psi)
-  delta=$(shimmy_of fig06.a.delta)
-  low=$(shimmy_of fig06.c.psi)
   begin_table results/fig07.csv \
     "# Figure 7. curve; shimmy: what the region bounded by a Hopf curve shows, psi or delta; V m/s;" \
     "# c_d N m s/rad; type: HH double Hopf, LP boundary point. A curve runs from edge to edge, or HH to HH." \
     curve,shimmy,type,V,c_d
-  curve "psi,$psi" fig07.psi
-  curve "delta,$delta" fig07.delta
-  curve "low,$low" fig07.low
-  curve torus_psi, fig07.torus_psi
-  curve torus_delta, fig07.torus_delta
+  curve "psi,$(mlg shimmy fig06.a.psi)" fig07.psi every=3
+  curve "delta,$(mlg shimmy fig06.a.delta)" fig07.delta every=3
+  curve "low,$(mlg shimmy fig06.c.psi)" fig07.low every=3
+  torus_curve torus_psi
+  torus_curve torus_delta
   end_table
 }
 
-# Both halves of a curve as one; a torus run stops just short of the double
-# Hopf points, which the table adds.
-curve() { # PREFIX RUN
-  local every=3
-  case $2 in *torus*) every=1; double_hopf 2 "$1" ;; esac
-  rows "$1" "type V c_d" "$every" "$2.up" reverse
-  rows "$1" "type V c_d" "$every" "$2.down"
-  case $2 in *torus*) double_hopf 1 "$1" ;; esac
-  points 7 "$2.up"
-  points 7 "$2.down"
+# Both halves of a curve as one
+curve() { # PREFIX RUN [WORD]
+  rows "$2.up" prefix="$1" columns=type,V,c_d reverse "${@:3}"
+  rows "$2.down" prefix="$1" columns=type,V,c_d "${@:3}"
+  points 7,l1 "$2.up" "$2.down"
 }
 
-double_hopf() { # WHICH PREFIX: a row for the first or second HH of the psi curve
-  awk -F, -v which="$1" -v prefix="$2" '$3 == "fig07.psi.down" && $4 == "HH" && ++n == which {
-    printf "%s,HH,%.6g,%.6g\n", prefix, $5, $6 }' "$points_table.new" >> "$table.new"
+# A torus run stops just short of the double Hopf points, which the table adds.
+torus_curve() { # NAME
+  double_hopf 2 "$1"
+  curve "$1," "fig07.$1"
+  double_hopf 1 "$1"
+}
+
+double_hopf() { # WHICH NAME: a row for the first or second HH of the psi curve
+  mlg rows fig07.psi.down only=HH prefix="$2," columns=type,V,c_d | sed -n "$1p" >> "$table.new"
 }
 
 main fig07 "$@"

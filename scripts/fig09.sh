@@ -12,7 +12,7 @@
 # Expect: (a) the delta region shrinks, at 1e6 it is closed; (b) no delta region;
 #         at 5.9e5 no shimmy from 4451.9 to 10692.6, at 4.6e5 the two psi regions
 #         have met: no extremum of c_d is left.
-. "$(dirname "$(realpath "$0")")/lib.sh"
+. "$(dirname "$(realpath "$0")")/auto/lib.sh"
 . scripts/curves.sh
 
 large="1e30 3e6 1.5e6 1e6 8e5"
@@ -27,7 +27,7 @@ small="5.9e5 5.2e5 4.8e5 4.6e5"
     begin_diagrams "# Figure 9. panel: a large k_s, b small k_s; layout L2."
     diagram_rows a 0 $large
     diagram_rows b 0 $small
-    end_diagrams
+    end_table
   }
 }
 

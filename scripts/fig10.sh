@@ -8,8 +8,8 @@
 #         build/tables/boundary.fig10.csv (boundary points)
 # Expect: the two psi regions meet at k_s = 4.737e5 N m/rad, the delta region
 #         is born at 7.865e5; at 7.86e5 the interval is (3813.91, 14032.51).
-. "$(dirname "$(realpath "$0")")/lib.sh"
-. scripts/boundary.sh
+. "$(dirname "$(realpath "$0")")/auto/lib.sh"
+. scripts/auto/boundary.sh
 
 asked=0.127226463104325 # 1e5 / 7.86e5, where the paper gives its interval
 

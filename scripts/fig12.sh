@@ -12,7 +12,7 @@
 # Expect: b = 30: a delta strip from c_d < 10 up to 3669 (k_s = 4e5, BP1 = 3825), to
 #         12398 at 7e5; b = 70: a small closed delta curve at 4.4e5; a third psi
 #         region, its top at 304 (b = 70) to 3287 (b = 150) at k_s = 5e5, there above BP1.
-. "$(dirname "$(realpath "$0")")/lib.sh"
+. "$(dirname "$(realpath "$0")")/auto/lib.sh"
 . scripts/curves.sh
 
 declare -A stiffnesses=(
@@ -33,7 +33,7 @@ declare -A stiffnesses=(
     local b panels=(a b c d e f) n=0
     begin_diagrams "# Figure 12. panel: a to f, b = 20, 30, 70, 100, 130, 150; layout LI1."
     for b in 20 30 70 100 130 150; do diagram_rows "${panels[n++]}" $b ${stiffnesses[$b]}; done
-    end_diagrams
+    end_table
   }
 }
 

@@ -8,8 +8,8 @@
 # Expect: the widest interval over k_s at each b, 11244.1 N m s/rad at b = 140
 #         N m s^2/rad; the largest of all where the third psi region takes over
 #         from BP1 as the lower bound.
-. "$(dirname "$(realpath "$0")")/lib.sh"
-. scripts/boundary.sh
+. "$(dirname "$(realpath "$0")")/auto/lib.sh"
+. scripts/auto/boundary.sh
 
 asked=0.156739811912226 # 1e5 / 6.38e5, where the paper gives its interval at b = 140
 

@@ -11,7 +11,7 @@
 # Writes: results/fig14.csv, results/fig14.png and .svg, build/tables/check.fig14.csv
 # Expect: b = 50: a delta region from k_s = 1.392e6 on; b = 100: one below 8.58e5 (at
 #         8e5 from c_d = 2416 to 11538), none at 1e6, another from 1.998e6 on.
-. "$(dirname "$(realpath "$0")")/lib.sh"
+. "$(dirname "$(realpath "$0")")/auto/lib.sh"
 . scripts/curves.sh
 
 small_50="6e5 8e5 1e6" large_50="1.4e6 2e6 3e6"
@@ -28,7 +28,7 @@ small_100="6e5 8e5 8.4e5 1e6" large_100="1.4e6 2e6 2.1e6 3e6"
     diagram_rows a2 50 $large_50
     diagram_rows b1 100 $small_100
     diagram_rows b2 100 $large_100
-    end_diagrams
+    end_table
   }
 }
 

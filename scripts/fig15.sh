@@ -7,8 +7,8 @@
 #         build/tables/boundary.fig15.csv, build/tables/widths.fig15.csv
 # Expect: the widest interval over k_s is limited by the onset of the delta
 #         region at every b, and grows with b: 19100 N m s/rad at b = 140.
-. "$(dirname "$(realpath "$0")")/lib.sh"
-. scripts/boundary.sh
+. "$(dirname "$(realpath "$0")")/auto/lib.sh"
+. scripts/auto/boundary.sh
 
 runs_low() { for b in 0 50 80; do boundary_curves li2 "$b"; done; }
 runs_high() { for b in 100 120 140; do boundary_curves li2 "$b"; done; }

@@ -8,23 +8,13 @@
 # Writes: results/filmstrip.csv, results/filmstrip.png, .svg and .gif
 # Expect: in A psi swings by 3.67 degrees at 10.9 Hz, in B delta* by 12.2 mm at
 #         17.5 Hz; the other angle hardly moves.
-. "$(dirname "$(realpath "$0")")/lib.sh"
+. "$(dirname "$(realpath "$0")")/auto/lib.sh"
 
-runs_orbits() {
-  scripts/fig06.sh runs a
-  use_run fig06.a.psi fig06.a.delta
-}
+runs_orbits() { scripts/fig06.sh runs a; }
 
 # One solution of a run, by its speed, over its period
 orbit() { # SOLUTION RUN V
-  local name
-  use_run "$2"
-  name=$(scripts/table.sh "$2" labels | awk -F, -v V="$3" '
-    /^#/ { next }
-    !place { for (i = 1; i <= NF; i++) if ($i == "V") place = i; next }
-    $3 == "UZ" && ($place - V) ^ 2 < 1e-12 { print $4 }')
-  [ -n "$name" ] || fail "filmstrip: $2 has no solution at V = $3"
-  scripts/table.sh "$2" solution "$name" | awk -F, -v solution="$1" -f scripts/orbit.awk >> "$table.new"
+  mlg orbit "$2" "$(mlg point "$2" UZ where=V="$3" columns=label)" prefix="$1" >> "$table.new"
 }
 
 tables() {

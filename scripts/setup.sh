@@ -18,7 +18,7 @@
 # Writes  build/tools; build/setup.log while apt-get runs; nothing else in the checkout
 # Exit    0 all is there, 1 apt-get failed, 2 wrong use or no right to install
 set -euo pipefail
-. "$(dirname "$(realpath "$0")")/tools.sh"
+. "$(dirname "$(realpath "$0")")/auto/tools.sh"
 
 # job      how       thing        package          what for
 readonly table='

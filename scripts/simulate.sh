@@ -9,7 +9,7 @@
 #         and the tyres' deflections over time; red: a slip angle passes alpha_m.
 # Exit:   that of mlg simulate: 1 the integration failed, 2 bad input; one line
 #         says why, and what was there before stays.
-. "$(dirname "$(realpath "$0")")/lib.sh"
+. "$(dirname "$(realpath "$0")")/auto/lib.sh"
 
 [ $# -ge 2 ] || fail "usage: scripts/simulate.sh LAYOUT NAME [PARAMETER=VALUE ...] STATE=VALUE ..." 2
 layout=$1 name=$2
@@ -21,6 +21,6 @@ mkdir -p build/tables
 work=build/tables/$name
 build/bin/mlg simulate "$layout" history "$@" > "$work.csv.new" || exit $?
 mv "$work.csv.new" "$work.csv"
-LC_ALL=C.UTF-8 gnuplot -d -e "figure='$name'" scripts/style.gp scripts/simulate.gp
+LC_ALL=C.UTF-8 gnuplot -d -e "figure='$name'" scripts/pictures/style.gp scripts/pictures/simulate.gp
 mv "$work.png.new" "$work.png"
 echo "  $work.csv, $work.png"

@@ -4,7 +4,7 @@
 # cmark-gfm turns the Markdown into HTML, so both pages say the same. A picture
 # NAME.png is put in as NAME.svg where there is one: sharper and smaller.
 # Needs: results/README.md (scripts/summary.sh) and the pictures it shows
-. "$(dirname "$(realpath "$0")")/lib.sh"
+. "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 alone results
 
 data_of() { # PICTURE, seen from results: as an address that holds it

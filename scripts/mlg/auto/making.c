@@ -14,6 +14,7 @@
 #include "judge.h"
 #include "progress.h"
 #include "stamp.h"
+#include "uses.h"
 
 char *joined(const char *a, const char *b, const char *c, const char *d)
 {
@@ -248,6 +249,10 @@ int make_if_needed(const struct request *r)
   note_passed(r->name);
   if (state != STAMP_FITS)
     status = make(r, &stamp);
+  note_use(r->file);
+  note_use(r->exe);
+  for (int i = STAMP_B; i < STAMPED; i++)
+    note_use(stamp.file[i]);
   stamp_free(&stamp);
   text_free(&text);
   text_free(&what);

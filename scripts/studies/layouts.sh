@@ -9,8 +9,8 @@
 # Expect: largest width over k_s and b, N m s/rad: LI3 14101 at b = 28.77; LI4 grows
 #         with b as LI2 does, 16859 at b = 140; LI5 7848 at b = 100.69, where the third
 #         psi region takes over from BP1 as the lower bound.
-. "$(dirname "$(realpath "$0")")/lib.sh"
-. scripts/boundary.sh
+. "$(dirname "$(realpath "$0")")/../auto/lib.sh"
+. scripts/auto/boundary.sh
 . scripts/curves.sh
 
 # Where the diagrams are: beside the largest width; LI4, which has none, at LI2's b.

@@ -111,14 +111,19 @@ static void print_curve(const struct arguments *a, const struct libmlg_plane *pl
     lowest = fmin(lowest, p[i].V);
     highest = fmax(highest, p[i].V);
   }
-  const double step = smooth_step(curve, highest - lowest, plane);
-  const int start = start_of(curve, step);
+  const double V_range = highest - lowest, step = smooth_step(curve, V_range, plane);
+  const int start = start_of(curve, step), way = p[start + 1].c_d > p[start].c_d ? 1 : -1;
+  /* so near that no other Hopf point disturbs the search for this one */
+  const double reach = V_range < 1. ? V_range / 1000. : 0.001;
 
-  printf("%d,%s,%s,%.12g,%.12g,%d,", number, curve->closed ? "closed" : "open", shimmy_of(a, curve), p[start].c_d,
-         p[start].V, p[start + 1].c_d > p[start].c_d ? 1 : -1);
+  printf("%d,%s,%s,%.12g,%.12g,%.12g,%.12g,%.6g,", number, curve->closed ? "closed" : "open", shimmy_of(a, curve), p[start].c_d,
+         p[start].V, p[start].V - reach, p[start].V + reach, reach / 4.);
   if (curve->closed)
     printf("%.14g", 2. * MLG_PI / p[curve->n - 1 - start / 2].omega);
-  printf(",%.6g,%.3g,", highest - lowest, step);
+  printf(",%.3g,%.3g,", way * (step < 0.1 ? step / 10. : 0.01), step);
+  for (int i = 0; i < curve->extrema; i++)
+    printf("%s%.12g", i ? " " : "", curve->extremum[i].V);
+  printf(",");
   for (int i = 0; i < curve->extrema; i++)
     printf("%s%.12g:%.12g", i ? " " : "", curve->extremum[i].V, curve->extremum[i].c_d);
   printf("\n");
@@ -149,7 +154,7 @@ static int run(int argc, char *argv[])
 
   if (n < 0)
     fail(argv[0], MLG_FAILED, "out of memory");
-  printf("curve,kind,shimmy,c_d,V,way,stop,V_range,step,extrema\n");
+  printf("curve,kind,shimmy,c_d,V,V_from,V_to,DS_start,stop,DS,DSMAX,extrema_V,extrema\n");
   for (int i = 0; i < n; i++) {
     orient(&curves[i]);
     print_curve(&a, &plane, &curves[i], i + 1);
@@ -168,11 +173,10 @@ const struct command command_curves = {
     "  kind       open, from edge to edge of the plane, or closed\n"
     "  shimmy     psi or delta: the eigenvector where c_d has its first extremum, or halfway\n"
     "  c_d, V     where to start, N m s/rad and m/s: just inside an edge; closed: beside a fold\n"
-    "  way        1 if c_d rises from there along the curve, -1 if it falls\n"
+    "  V_from, V_to, DS_start   a straight run in V at that c_d that passes it, m/s\n"
     "  stop       closed: the period, s, at which the curve has come round once\n"
-    "  V_range    how far the curve extends in V, m/s\n"
-    "  step       for AUTO to make a smooth picture, 1 m/s counting as 1000 N m s/rad\n"
-    "  extrema    where c_d has an extremum along it, as V:c_d, blanks between\n"
+    "  DS, DSMAX  of AUTO for a smooth picture, 1 m/s counting as 1000 N m s/rad\n"
+    "  extrema_V, extrema   where c_d has an extremum along it, as V and V:c_d, blanks between\n"
     "All curves are found: folds and edges are roots of polynomials (docs/boundary.md).\n",
   .run = run,
 };

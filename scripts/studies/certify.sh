@@ -18,7 +18,7 @@
 #         between two points GH; folds of cycles only below the intervals, the nearest at
 #         0.73 of c_lo (L1); no cycle inside; every start falls.
 # shellcheck disable=SC2028 # text for awk
-. "$(dirname "$(realpath "$0")")/lib.sh"
+. "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 . scripts/curves.sh
 [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent models build/bin/eigen-{l1,l2,li1,li2}
 

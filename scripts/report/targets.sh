@@ -2,7 +2,7 @@
 # The paper's numbers against ours: tests/targets.csv joined with the tables of
 # this run.  Writes results/targets.csv and prints it readably; status 1 if a row
 # fails.  "computed" is read from the tables the runs left, never from the targets.
-. "$(dirname "$(realpath "$0")")/lib.sh"
+. "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 alone results
 
 awk -f scripts/targets.awk results/special_points.csv results/fig06.csv results/fig07.csv \

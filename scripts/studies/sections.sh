@@ -17,7 +17,7 @@
 #         oscillation (subcritical), here and at other c_d along the torus curves of
 #         Figure 7; unstable tori from the delta orbit at V = 27.37 to the psi orbit at
 #         30.79, at V = 29 with psi from 1.14 to 1.62 degrees on the section.
-. "$(dirname "$(realpath "$0")")/lib.sh"
+. "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent build/bin/mlg
 
 past='32 26.5'

@@ -1,6 +1,7 @@
 /* runs.c - where the files of a run are; see runs.h */
 #define _XOPEN_SOURCE 700
 #include "runs.h"
+#include "uses.h"
 
 #include <dirent.h>
 #include <stdlib.h>
@@ -134,6 +135,10 @@ int find_run(const char *word, struct run_files *files, struct text *why)
     text_add(why, "there is no run '%s', no %s", word, files->b);
     free_run(files);
     status = -1;
+  } else {
+    note_use(files->b);
+    note_use(files->d);
+    note_use(files->s);
   }
   text_free(&folder);
   text_free(&name);

@@ -3,7 +3,7 @@
 # scripts/page.sh makes the same page in HTML of it.
 # Needs: results/*.csv (scripts/collect.sh, scripts/targets.sh) and the pictures
 # A new figure is one call of `picture` below.
-. "$(dirname "$(realpath "$0")")/lib.sh"
+. "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 alone results
 
 # number FORMAT TABLE COLUMN [KEY=VALUE ...]: that column of results/TABLE.csv in

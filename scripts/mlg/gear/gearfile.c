@@ -38,6 +38,7 @@ static const char *whole_text(const struct reader *r)
 {
   static char text[MOST_BYTES + 1];
   FILE *f = fopen(r->file, "r");
+
   size_t n;
 
   if (!f)

@@ -2,7 +2,7 @@
 # Collects what the figures' scripts left in build/tables into
 #   results/special_points.csv, boundary_points.csv and widths.csv
 # Where a figure has not been made in this tree its rows stay as they are.
-. "$(dirname "$(realpath "$0")")/lib.sh"
+. "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 alone results
 
 # collect FILE PART HEAD... -- KEY=FIGURE...: the head lines, then for each FIGURE

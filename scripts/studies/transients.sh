@@ -8,7 +8,7 @@
 #         build/tables/transients.*.csv
 # Expect: delta* of L1 takes a quarter of an hour to settle at V = 36 m/s; with the best damped
 #         LI2 half a minute.
-. "$(dirname "$(realpath "$0")")/lib.sh"
+. "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent build/bin/mlg
 
 # The gears of results/damping.csv: paper is the best c_d of the paper's interval, best

@@ -8,7 +8,7 @@
 #         build/tables/damping.*.csv, the maps of the picture
 # Expect: 2.7e-5 at best for L1, 9.6e-5 for L2, 1.7e-4 for LI1 and 7.9e-4 for LI2 at
 #         b = 140 N m s^2/rad, always lost in the delta mode.
-. "$(dirname "$(realpath "$0")")/lib.sh"
+. "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent build/bin/mlg
 
 stiffness=compliance=0:0.35 damper=c_d=100:4e4 # where the best damped gear is looked for

@@ -1,0 +1,139 @@
+# shellcheck shell=bash
+# lib.sh - how a figure is made; the scripts of figures and studies source it.
+#
+# A figure's script defines runs_PART for its runs, tables, and what is special about
+# it; `main FIGURE` does the rest: runs by `mlg run`, which makes only what is not up
+# to date, then the tables, then the picture.  What a figure was made from, and the sums
+# of all that, stand in build/stamps/FIGURE (mlg stamp); while they hold there is
+# nothing to do.
+
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/tools.sh"
+
+# Ends with one line on standard error; status 1: a run failed, 2: bad input.
+fail() { echo "$1" >&2; exit "${2:-1}"; }
+
+# So does any other command that fails, a full disk under it for one.
+set -E
+trap '[ $BASHPID != $$ ] || fail "${BASH_SOURCE[0]}:$LINENO: failed: ${BASH_COMMAND%%$'"'\n'"'*}"' ERR
+
+# The models and mlg, built when they are not up to date.  Under make they are, and
+# asking again would only cost time.
+build() { # [TARGET]
+  [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent "${1:-models}" || exit 1
+  export MLG_BUILT=yes
+}
+
+# What gives runs and tables their names and is no such name ends here (mlg stamp).
+check_name() { # NAME
+  [[ $1 =~ ^[A-Za-z0-9][A-Za-z0-9._+-]{0,99}$ ]] ||
+    fail "the name '$1': letters, digits, . _ - and +, a letter or a digit first, at most 100" 2
+}
+
+mlg() { build/bin/mlg "$@"; }
+
+# run NAME CONSTANTS [from=RUN] [KEY=VALUE ...] [-- TYPE=COUNT ...]: `mlg help run`
+run() { mlg run "$@" || exit $?; }
+
+# Tables.  begin_table FILE LINE... opens a table with these head lines, and the
+# figure's table of special points; rows and points add to them; end_table puts
+# both in place if they changed, so that what depends on them can tell.
+begin_table() {
+  table=$1
+  points_table=build/tables/points.$figure.csv
+  shift
+  printf '%s\n' "$@" > "$table.new"
+  : > "$points_table.new"
+}
+
+rows() { mlg rows "$@" >> "$table.new" || exit $?; } # `mlg help rows`
+
+points() { # FIGURE_NUMBER,LAYOUT RUN...
+  local prefix=$1
+  shift
+  mlg points "$@" prefix="$prefix" >> "$points_table.new" || exit $?
+}
+
+end_table() {
+  case $table in results/*) record ;; esac
+  replace "$table"
+  replace "$points_table"
+}
+
+replace() { # FILE: by FILE.new, unless they are the same
+  use "$1"
+  if cmp -s "$1.new" "$1"; then rm "$1.new"; else mv "$1.new" "$1"; fi
+}
+
+# Notes a file that the figure hangs on and no command of mlg reads.
+use() { printf '%s\n' "$@" >> "$MLG_USES"; }
+
+# The figure's row of results/versions.csv: with what its runs were made.  It is written
+# with the table, so runs that find the same table leave it as it is.
+record() {
+  local file=results/versions.csv runs
+  if cmp -s "$table.new" "$table" && grep -q "^$figure," "$file" 2> /dev/null; then return; fi
+  exec 7> build/tables/versions.lock
+  flock 7
+  runs=$(grep -lx "figure=$figure" build/runs/*/origin 2> /dev/null | wc -l)
+  {
+    echo "# With what the runs of a figure were made when its table last changed."
+    echo figure,runs,AUTO,cc,gfortran,libc,gnuplot,system,processor
+    {
+      grep -v -e '^#' -e '^figure,' -e "^$figure," "$file" 2> /dev/null || true
+      echo "$figure,$runs,$(sed -n 's/^AUTO_VERSION = //p' build/auto.mk),$(cc -dumpfullversion),$(gfortran -dumpfullversion),$(
+        getconf GNU_LIBC_VERSION),$(gnuplot --version | cut -d ' ' -f 2,4 | tr ' ' .),$(. /etc/os-release && echo "$NAME $VERSION_ID"),$(uname -m)"
+    } | sort
+  } > "$file.new"
+  mv "$file.new" "$file"
+  exec 7>&-
+}
+
+# The picture of results/NAME.csv.  On a full disk gnuplot ends with status 0.
+draw() {
+  local picture=results/$figure
+  [ -s "$picture.csv" ] || fail "$figure: there is no $picture.csv to draw; scripts/$figure.sh tables makes it" 2
+  rm -f "$picture".{png,svg,gif}.new
+  LC_ALL=C.UTF-8 gnuplot -d -e "figure='$figure'" scripts/pictures/style.gp "scripts/pictures/$figure.gp"
+  if ! tail -c 12 "$picture.png.new" | grep -aq IEND || ! tail -c 12 "$picture.svg.new" | grep -q '</svg>'; then
+    fail "$figure: gnuplot wrote half a picture, $picture.png or .svg (is the disk full?); those before are kept"
+  fi
+  use scripts/pictures/{style,"$figure"}.gp "$picture.csv"
+  replace "$picture.png"
+  replace "$picture.svg"
+  [ ! -f "$picture.gif.new" ] || replace "$picture.gif"
+  echo "  results/$figure.png"
+}
+
+# From here on one script at a time works on NAME.
+alone() { # NAME
+  mkdir -p build/tables build/stamps results
+  exec 8> "build/tables/$1.lock"
+  flock 8
+}
+
+# What every figure script does with its arguments.
+main() { # FIGURE [runs [PART...] | tables | draw]
+  export MLG_FIGURE=$1 MLG_STARTED=${MLG_STARTED:-$EPOCHSECONDS} MLG_ASKED=${MLG_ASKED:-$1}
+  local step=${2:-all} part parts
+  figure=$1
+  mapfile -t parts < <(declare -F | sed -n 's/^declare -f runs_//p')
+  case $step in runs | tables | draw | all) ;; *) fail "usage: $0 [runs [PART] | tables | draw]" 2 ;; esac
+  for part in "${@:3}"; do
+    case " ${parts[*]} " in *" $part "*) ;; *) fail "$figure: no runs '$part'; there are ${parts[*]}" 2 ;; esac
+  done
+  build
+  # parts of one figure may run side by side, its tables and its picture not
+  if [ "$step" = runs ]; then mkdir -p build/tables build/stamps results; else alone "$figure"; fi
+  if [ "$step" = all ] && mlg stamp fits "$figure" > /dev/null; then return; fi
+  export MLG_USES=build/stamps/$figure.$$.uses
+  trap 'rm -f "$MLG_USES"' EXIT
+  printf '%s\n' "$0" scripts/auto/*.sh build/bin/mlg > "$MLG_USES"
+  touch "build/stamps/$figure.began"
+  if [ $# -lt 3 ]; then set -- "$figure" "$step" "${parts[@]}"; fi
+  case $step in runs | all) for part in "${@:3}"; do "runs_$part"; done ;; esac
+  case $step in tables | all) tables ;; esac
+  if [ "$step" = all ]; then scripts/report/collect.sh; fi
+  case $step in draw | all) draw ;; esac
+  if [ "$step" = all ]; then mlg stamp write "$figure"; fi
+}
