@@ -71,6 +71,6 @@ broken() {
 }
 
 @test "a line that is no Hopf point is refused" {
-  run -2 bash -c "build/bin/eigen-l1 criticality 2>&1 >/dev/null <<<10,2700,1e30"
-  [ "$output" = "standard input:1: '10,2700,1e30': expected V,c_d,k_s,b,frequency_hz" ]
+  run -2 bash -c "build/bin/mlg criticality l1 2>&1 >/dev/null <<<10,2700,1e30"
+  [ "$output" = "mlg criticality: standard input:1: '10,2700,1e30': expected V,c_d,k_s,b,frequency_hz" ]
 }
