@@ -277,6 +277,9 @@ build/tests/criticality: with = $(lapack)
 mlg_reader = $(patsubst %,scripts/mlg/%.c,text autofile autonumber autostability autosolution branch ending judge judgepoints sums)
 build/tests/autofile: with = $(mlg_reader) build/lib/libmlg.a $(lapack)
 build/tests/autofile: $(mlg_reader) $(wildcard scripts/mlg/*.h) build/lib/libmlg.a
+mlg_constants = $(patsubst %,scripts/mlg/%.c,text autonumber constants conchecks)
+build/tests/constants: with = $(mlg_constants) build/lib/libmlg.a
+build/tests/constants: $(mlg_constants) scripts/mlg/conparse.c $(wildcard scripts/mlg/*.h) build/lib/libmlg.a
 build/tests/fuzz: with = build/lib/libmlg.a
 build/tests/fuzz: build/lib/libmlg.a
 

@@ -222,6 +222,7 @@ column() {
 
 @test "AUTO's files are looked at before they are used, and made anew when they do not fit" {
   local damage file
+  # shellcheck disable=SC2016 # sed's last line
   for damage in '60,$d' '30d' 's/E+00/E-00/20' '40s/1/2/3'; do
     for file in b d s c; do
       cp -p build/runs/psi/$file.psi kept
@@ -243,7 +244,8 @@ column() {
 }
 
 @test "a stamp that is cut, or times that are lost" {
-  head -c 900 build/runs/psi/stamp >cut && mv cut build/runs/psi/stamp
+  head -c 900 build/runs/psi/stamp >part.of.it
+  mv part.of.it build/runs/psi/stamp
   says 0 '  psi * ms  TR 30.7865 closed' mlg run psi l1.periodic from=straight -- TR=1 closed=1
   rm build/runs/psi/looks
   run -0 mlg run psi l1.periodic from=straight -- TR=1 closed=1
