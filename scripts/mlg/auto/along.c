@@ -132,7 +132,7 @@ static int run_at(int argc, char *argv[])
   if (status == MLG_OK && out.length > 0)
     fputs(out.at, stdout);
   if (why.length > 0)
-    fprintf(stderr, "at: %s\n", why.at);
+    say_line("at", why.at);
   free_columns(&columns);
   text_free(&out);
   text_free(&why);

@@ -40,7 +40,7 @@ static int run(int argc, char *argv[])
   if (status == 0)
     fputs(out.at ? out.at : "", stdout);
   else
-    fprintf(stderr, "%s\n", why.at);
+    say_line(NULL, why.at);
   text_free(&out);
   text_free(&why);
   return status;

@@ -18,13 +18,13 @@ void bad_input(struct constants *c, const char *file, int line, const char *form
   va_start(args, format);
   vsnprintf(text, sizeof text, format, args);
   va_end(args);
-  for (char *t = text; *t; t++) /* what it quotes may span lines */
-    if (iscntrl((unsigned char)*t))
-      *t = ' ';
   if (line > 0)
     text_add(c->why, "%s:%d: %s", file, line, text);
   else
     text_add(c->why, "%s: %s", file, text);
+  for (char *t = c->why->at; *t; t++) /* what it quotes may span lines */
+    if (iscntrl((unsigned char)*t))
+      *t = ' ';
   longjmp(c->refused, 1);
 }
 

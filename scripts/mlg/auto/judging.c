@@ -17,7 +17,7 @@ static int run(int argc, char *argv[])
     return MLG_BAD_INPUT;
   }
   if (check_expectations(argv + (argc > 3 ? 3 : argc), argc > 3 ? argc - 3 : 0, &why) != 0) {
-    fprintf(stderr, "judge: %s\n", why.at);
+    say_line("judge", why.at);
     text_free(&why);
     return MLG_BAD_INPUT;
   }

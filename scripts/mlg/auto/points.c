@@ -102,7 +102,7 @@ static int run_points(int argc, char *argv[])
     free_run_data(&data);
   }
   if (why.length > 0)
-    fprintf(stderr, "points: %s\n", why.at);
+    say_line("points", why.at);
   else if (status == MLG_OK && out.length > 0)
     fputs(out.at, stdout);
   text_free(&out);

@@ -149,7 +149,7 @@ static int add_rows(const struct rows *r, const struct run_data *data, int numbe
 static int say(const char *command, struct text *why, int status)
 {
   if (why->length > 0)
-    fprintf(stderr, "%s: %s\n", command, why->at);
+    say_line(command, why->at);
   text_free(why);
   return status;
 }

@@ -25,12 +25,13 @@
 /* One line on standard error; the status for bad input. */
 __attribute__((format(printf, 1, 2))) static int refuse(const char *format, ...)
 {
+  char line[1024];
   va_list args;
 
   va_start(args, format);
-  vfprintf(stderr, format, args);
+  vsnprintf(line, sizeof line, format, args);
   va_end(args);
-  fputc('\n', stderr);
+  say_line(NULL, line);
   return MLG_BAD_INPUT;
 }
 
@@ -88,7 +89,7 @@ static int read_words(struct request *r, int argc, char *argv[])
   if (r->model && !is_name(r->model))
     return refuse("run: model='%s': %s", r->model, NAME_RULE);
   if (check_expectations(r->expected, r->n_expected, &why) != 0) {
-    fprintf(stderr, "%s: %s\n", r->name, why.at);
+    say_line(r->name, why.at);
     text_free(&why);
     return MLG_BAD_INPUT;
   }
@@ -179,7 +180,7 @@ static int make_constants(struct request *r)
   int status = hand_over(r->file, r->word, r->words, &use, &r->text, &why);
 
   if (status != 0) {
-    fprintf(stderr, "%s\n", why.at);
+    say_line(NULL, why.at);
     text_free(&why);
     return status;
   }

@@ -162,7 +162,7 @@ int find_run_or_say(const char *command, const char *word, struct run_files *fil
 
   if (find_run(word, files, &why) == 0)
     return 0;
-  fprintf(stderr, "%s: %s\n", command, why.at);
+  say_line(command, why.at);
   text_free(&why);
   return 2;
 }

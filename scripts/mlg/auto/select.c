@@ -17,7 +17,7 @@ int read_run_or_say(const char *command, const char *word, struct run_data *data
   if (find_run_or_say(command, word, &data->files) != 0)
     return 2;
   if (af_read(&data->all, data->files.b, data->files.d, &why) != 0) {
-    fprintf(stderr, "%s: %s\n", command, why.at);
+    say_line(command, why.at);
     text_free(&why);
     free_run(&data->files);
     return 2;

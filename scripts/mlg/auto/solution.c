@@ -90,7 +90,7 @@ int read_solution_or_say(const char *command, const struct run_files *files, con
       free_solution(solution);
   }
   if (why.length > 0)
-    fprintf(stderr, "%s: %s\n", command, why.at);
+    say_line(command, why.at);
   const int status = why.length > 0 ? 2 : 0;
 
   af_free_solutions(&all);

@@ -83,7 +83,7 @@ static int print_branches(const struct run_files *files, int labels)
   int status = MLG_OK, first = -1;
 
   if (af_read(&all, files->b, files->d, &why) != 0) {
-    fprintf(stderr, "table: %s\n", why.at);
+    say_line("table", why.at);
     text_free(&why);
     return MLG_BAD_INPUT;
   }

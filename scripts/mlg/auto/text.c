@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "text.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -135,6 +136,18 @@ int write_file(const char *file, const char *bytes, size_t length, struct text *
   }
   text_free(&part);
   return good ? 0 : -1;
+}
+
+void say_line(const char *who, const char *what)
+{
+  struct text line = TEXT_NONE;
+
+  text_add(&line, "%s%s%s", who ? who : "", who ? ": " : "", what);
+  for (char *t = line.at; *t; t++)
+    if (iscntrl((unsigned char)*t))
+      *t = ' ';
+  fprintf(stderr, "%s\n", line.at);
+  text_free(&line);
 }
 
 int is_name(const char *name)

@@ -42,6 +42,9 @@ int read_file(const char *file, struct text *text, struct text *why);
  * leaves half a file.  Returns 0, or -1 with the reason in why. */
 int write_file(const char *file, const char *bytes, size_t length, struct text *why);
 
+/* Prints "WHO: WHAT" on standard error as one line, whatever it quotes; WHO may be NULL. */
+void say_line(const char *who, const char *what);
+
 /* Whether name may be that of a run, a figure or a table: letters, digits, and
  * . _ - + after a letter or a digit, at most 100 of them. */
 int is_name(const char *name);

@@ -1,0 +1,346 @@
+# mlg.bats - does mlg run, judge and read runs without a silent wrong answer?
+#
+# Each test is an input that was once answered wrongly with status 0, or damage that
+# was carried on. The files of AUTO 0.9.2 and 0.9.4 in tests/autofiles are runs of L1:
+# straight, V = 12 to 14 m/s with NPR=4; orbits, nine points from its Hopf point;
+# appended, both in one file as @ap leaves them.
+#
+# Needs   the models and build/bin/mlg (make test-programs)
+# Writes  build/tests/mlg
+
+bats_require_minimum_version 1.5.0
+load scratch
+
+setup_file() {
+  scratch mlg
+  cp -rp "$ROOT/tests/autofiles" .
+  mlg run straight l1.straight -- HB=4
+  mlg run psi l1.periodic from=straight -- TR=1 closed=1
+}
+
+setup() {
+  cd "$SCRATCH" || return
+}
+
+mlg() {
+  build/bin/mlg "$@"
+}
+
+# says STATUS PATTERN COMMAND...: that status, and a first line that has the pattern
+says() {
+  local status=$1 pattern=$2
+  shift 2
+  run "-$status" "$@"
+  # shellcheck disable=SC2053 # a pattern
+  if [[ ${lines[0]} != $pattern ]]; then
+    printf 'expected  %s\ngot  %s\n' "$pattern" "$output"
+    return 1
+  fi
+}
+
+# refuses PATTERN COMMAND...: status 2, and one line
+refuses() {
+  says 2 "$@"
+  [ "${#lines[@]}" -eq 1 ]
+}
+
+# column RUN NAME: of its branch
+column() {
+  mlg rows "$1" columns="$2" types=any
+}
+
+## What closes
+
+@test "a branch that fell onto the zero solution is not closed" {
+  local c_d
+  for c_d in 4e4 3.5e4 3.62e4; do
+    says 1 "x (*): *fell onto the zero solution at V = *, where straight rolling has no Hopf point*" \
+      mlg run x l1.periodic from=straight IRS="'HB1'" c_d=$c_d
+    [ ! -e build/runs/x ]
+  done
+}
+
+@test "a branch that folds at finite amplitude is not cut" {
+  mlg run s li1.straight V=0.5 k_s=6.38e5 b=140 c_d=100 ICP="['c_d','period','V']" DS=1 DSMAX=5 UZSTOP="{'c_d':2000}"
+  mlg run c li1.cycles from=s IRS="'HB1'"
+  says 0 "*LP 263.939 closed" mlg run c2 li1.cycles from=c IRS="'UZ1'" DS=-0.01 UZSTOP="{'c_d':[20.0,8e4],'psi_max':20}"
+  # all of it, down to the Hopf point at c_d = 263.882
+  [ "$(column c2 point | tail -n 1)" -gt 280 ]
+  near "$(mlg rows c2 columns=c_d:.9g ends | tail -n 1)" 263.88242 1e-7 "c_d of the closing Hopf point"
+}
+
+@test "a branch closes on the Hopf point of the eigenvalues, whatever the step" {
+  local dsmax
+  for dsmax in 0.1 0.5 2.0; do
+    mlg run closing l1.periodic from=straight DSMAX=$dsmax NMX=3000 -- closed=1
+    near "$(mlg rows closing columns=V:.10g ends | tail -n 1)" "$(mlg point straight HB3 columns=V:.10g)" 1e-8 "V where it closes"
+  done
+}
+
+@test "an orbit branch that ends where there is no Hopf point is not closed" {
+  run -1 mlg judge psi -- closed=0
+  sed 's/^\(.\{19\}\).\{19\}/\1  1.2345678900E+000/' build/runs/psi/b.psi > b.flat # V does not move
+  mkdir -p flat
+  grep -h '^   0' build/runs/psi/b.psi >flat/b.flat
+  grep -v '^   0' b.flat >>flat/b.flat
+  cp build/runs/psi/s.psi flat/s.flat
+  run mlg judge flat/flat
+  [[ $output != *closed* ]]
+}
+
+## Stability
+
+@test "the stability of cycles beside a multiplier of 1 is told by the branch, or not" {
+  mlg run s li1.straight V=0.5 k_s=6.38e5 b=140 c_d=100 ICP="['c_d','period','V']" DS=1 DSMAX=5 UZSTOP="{'c_d':2000}"
+  mlg run c li1.cycles from=s IRS="'HB1'"
+  # unstable before the fold, though AUTO's sign says stable up to 0.88 degrees
+  [ "$(mlg rows c columns=stable 'where=psi_max>0.02' 'where=psi_max<2.8' | sort -u)" = 0 ]
+  [ -z "$(mlg point c LP columns=stable)" ]
+  [ "$(mlg rows c columns=stable 'where=psi_max>3.0' 'where=psi_max<5' | sort -u)" = 1 ]
+}
+
+@test "no stability and no claim where AUTO computed nothing" {
+  says 0 '*no special point looked for' mlg run isp l1.straight ISP=0
+  [ -z "$(column isp stable | sort -u)" ]
+  mlg run l2s l2.straight k_s=1e6 c_d=1e4
+  says 0 '*no special point looked for' mlg run l2h l2.hopf from=l2s IRS="'HB1'" NMX=100 -- EP=1
+  says 1 '*expected 0 HB, but the run did not look for it*' mlg judge isp -- HB=0
+  says 1 '*expected 0 TR, but*' mlg judge psi -- TR=0 || [[ $output == *'expected 0 TR, found 1'* ]]
+}
+
+@test "folds that ILP = 0 hides are named" {
+  mlg run low l1.straight c_d=1000
+  says 1 '*become*without a label*(a fold, which ILP = 0 hides: ILP=1)*' mlg run lows l1.periodic from=low
+  says 0 '*LP 31.93*LP 16.17*TR 18.16*closed' mlg run lows l1.periodic from=low ILP=1 -- LP=2 TR=1 closed=1
+}
+
+## Points
+
+@test "a point written because of NPR is none of UZ" {
+  mlg run npr l1.straight NPR=500 UZR="{'V': 70.05}" -- UZ=2
+  near "$(mlg point npr UZ1 columns=V)" 70.05 1e-6 "V of UZ1"
+  near "$(mlg table npr labels | awk -F, '$4 == "UZ1" { print $6 }')" 70.05 1e-6 "V of UZ1 in the table"
+  says 1 '*expected 5 UZ, found 2*' mlg judge npr -- UZ=5
+  # AUTO starts there, too
+  grep -v '^PAR' constants/c.l1.straight >c.l1.on
+  mlg run from-uz ./c.l1.on from=npr IRS="'UZ1'" NMX=2 -- EP=1
+  near "$(mlg point from-uz first columns=V)" 70.05 1e-6 "where the run from UZ1 starts"
+}
+
+@test "more than 9999 points" {
+  mlg run long l1.straight DS=0.01 DSMAX=0.01 NMX=30000 -- HB=4
+  [ "$(column long point | wc -l)" -gt 19000 ]
+  [ "$(column long point | tail -n 1)" -eq "$(column long point | wc -l)" ]
+  [ "$(mlg rows long columns=stable 'where=V>10' 'where=V<13.4' | sort -u)" = 1 ]
+}
+
+@test "a stop at a bound, and a start beyond one" {
+  says 1 'b1 (*): the start, V = 1, lies outside RL0 = 10' mlg run b1 l1.straight RL0=10 RL1=100
+  says 0 '*HB 13.4308 HB 25.0908 ended at RL1 = 30' mlg run b2 l1.straight RL1=30
+  says 1 '*ended at EP: the steps (NMX) were used up*-- EP=1*' mlg run b3 l1.straight NMX=50
+  mlg run b3 l1.straight NMX=50 -- EP=1
+}
+
+@test "a parameter continued out of its range" {
+  mlg run lb li1.straight V=20 c_d=1e4 k_s=1e6 b=10 UZSTOP="{'V': 20.5}"
+  says 1 '*b = -* N m s^2/rad is outside its range, 0 to 1e+09*' \
+    mlg run leaves li1.straight V=20 c_d=1e4 k_s=1e6 b=1 ICP="['b', 'period']" DS=-0.5 DSMAX=1 UZSTOP="{'b': -20}" ISP=0
+}
+
+@test "expected words that are slips" {
+  refuses "x: 'XX=0': expected TYPE=COUNT*" mlg run x l1.straight -- XX=0
+  refuses "x: 'HB=99999999999': *" mlg run x l1.straight -- HB=99999999999
+  refuses "x: 'HB=1' and 'HB=2': *" mlg run x l1.straight -- HB=1 HB=2
+}
+
+## Constants
+
+@test "what is handed over is merged, and refused when it comes twice" {
+  local file=constants/c.l1.straight
+  [ "$(mlg constants $file c_d=1e4 PAR="{'V': 2.0}" | grep ^PAR)" = "PAR = {'V': 2.0, 'c_d': 1e4}" ]
+  printf "PAR = {'e': 0.15 m, 'M': 2e4 kg}\n" >gear
+  [ "$(mlg constants $file gear=gear PAR="{'V': 2.0}" | grep ^PAR)" = "PAR = {'V': 2.0, 'c_d': 3.6e4, 'e': 0.15, 'M': 2e4}" ]
+  [ "$(mlg constants $file M=1e4 gear=gear | grep ^PAR)" = "PAR = {'V': 1.0, 'c_d': 3.6e4, 'M': 1e4, 'e': 0.15}" ]
+  refuses "$file: PAR: c_d is given twice" mlg constants $file c_d=1e3 c_d=5e3
+  refuses "$file: PAR: c_d is given twice, as 2 too" mlg constants $file PAR="{'c_d': 1e4, 2: 5e3}"
+  refuses "$file: DS is given twice, as 1 and 2" mlg constants $file DS=1 DS=2
+  printf "PAR = {'e': 0.15, 'e': 0.2}\n" >gear
+  refuses "gear:1: PAR: e is given twice" mlg constants $file gear=gear
+}
+
+@test "a layout has the parameters of its device, and its number of states" {
+  local file=constants/c.l1.straight
+  refuses "$file: k_s = 1e6: the device of l1 has no k_s; leave it at inf" mlg run x l1.straight k_s=1e6
+  refuses "$file: b = 10: the device of l1 has no b; leave it at 0" mlg run x l1.straight b=10
+  refuses "constants/c.l2.straight: b = 10: *" mlg run x l2.straight b=10
+  refuses "*ICP: the device of l1 has no b; it cannot be continued" mlg run x l1.straight ICP="['b', 'period']"
+  [ "$(mlg constants $file k_s=inf b=0 | grep ^PAR)" = "PAR = {'V': 1.0, 'c_d': 3.6e4, 'k_s': 1e30, 'b': 0}" ]
+  sed "s/, 7: 'eps'/, 7: 'eps', 8: 'deps'/; s/NDIM = 7/NDIM = 8/" $file >c.l1.eight
+  refuses "./c.l1.eight:*: NDIM = 8, but the layout l1 has 7 states" mlg run x ./c.l1.eight
+  refuses "x: starts from straight, a run of the layout l1; this one is of l2" mlg run x l2.hopf from=straight IRS="'HB1'"
+}
+
+@test "the load stands for the mass" {
+  mlg run loaded l1.straight F_z=1e5 STOP="['HB1']"
+  near "$(awk '/^PAR/ { print $NF }' build/runs/loaded/c.loaded | tr -d '}')" "$(awk 'BEGIN { printf "%.15g", 1e5 / 9.81 - 500 }')" 1e-12 M
+  refuses "*: PAR: both M and F_z*" mlg run x l1.straight F_z=1e5 M=1e4
+  refuses "*: F_z = -1 N gives M = *" mlg run x l1.straight F_z=-1
+  refuses "*: PAR: F_z is the load*give M" mlg run x l1.periodic from=straight F_z=1e5
+}
+
+@test "what AUTO takes is taken: 80 values, 1.0d-1, TY, HomCont; what would never end is not" {
+  local word file=constants/c.l1.straight
+  mlg run many l1.straight UZR="{'V': [$(seq -s ', ' 1 80)]}" DS=0.1d0 -- UZ=80
+  for word in TY="'HB4'" IPS=9 NUNSTAB=1 NSTAB=2 IEQUIB=0 ITWIST=0 ISTART=5 IREV=[] 'IFIXED=[1]' IPSI=[]; do
+    mlg constants $file "$word" >/dev/null
+  done
+  for word in NCOL=1 NCOL=8 ITNW=0 NTST=0 NMX=-1 NMX=1000000 DSMAX=0 EPSU=0 DSMIN=-1; do
+    refuses "$file:*: ${word%=*} = ${word#*=} *" mlg constants $file "$word" || refuses "$file: ${word%=*} = ${word#*=} *" mlg constants $file "$word"
+  done
+  refuses "$file: UZR is longer than AUTO reads*" mlg constants $file UZR="{'V': [$(seq -s ', ' 1 900)]}"
+}
+
+## Names
+
+@test "the name of a run is a name" {
+  local name
+  mkdir -p victim.part
+  for name in ../../victim "a'b" 'a b' -d .a '' $'a\nb' a/b; do
+    refuses "run: NAME '*': letters*" mlg run "$name" l1.straight
+    refuses "run: from='*': letters*" mlg run x l1.straight from="$name"
+  done
+  [ -d victim.part ]
+  refuses "run: NAME 'x.part': *" mlg run x.part l1.straight
+  refuses "table: 'a*b' is no name of a run: *" mlg table 'a*b'
+  refuses "table: there is no run 'a=b/psi', no a=b/b.psi" mlg table a=b/psi
+  mkdir -p a=b
+  cp build/runs/psi/[bds].psi a=b
+  mlg table a=b/psi | diff - <(mlg table psi | sed '/^[0-9]/!b')
+}
+
+## Damage
+
+@test "AUTO's files are looked at before they are used, and made anew when they do not fit" {
+  local damage file
+  # shellcheck disable=SC2016 # sed's last line
+  for damage in '60,$d' '30d' 's/E+00/E-00/20' '40s/1/2/3'; do
+    for file in b d s c; do
+      cp -p build/runs/psi/$file.psi kept
+      sed -i "$damage" build/runs/psi/$file.psi
+      if cmp -s kept build/runs/psi/$file.psi; then continue; fi
+      says 0 "  psi: $file.psi is not what AUTO wrote; it is made anew" mlg run psi l1.periodic from=straight -- TR=1 closed=1
+      [ "${#lines[@]}" -eq 2 ]
+      run -0 mlg run psi l1.periodic from=straight -- TR=1 closed=1
+      [ -z "$output" ]
+    done
+  done
+  # the same size and time, other bytes: only a sum can tell, and a touch asks for it
+  cp -p build/runs/psi/b.psi kept
+  sed -i '60s/1/7/4' build/runs/psi/b.psi
+  touch -r kept build/runs/psi/b.psi
+  says 0 "  psi: b.psi is not what AUTO wrote*" mlg run psi l1.periodic from=straight -- TR=1 closed=1
+  rm build/runs/psi/s.psi
+  says 0 "  psi: s.psi is not what AUTO wrote*" mlg run psi l1.periodic from=straight -- TR=1 closed=1
+}
+
+@test "a stamp that is cut, or times that are lost" {
+  head -c 900 build/runs/psi/stamp >part.of.it
+  mv part.of.it build/runs/psi/stamp
+  says 0 '  psi * ms  TR 30.7865 closed' mlg run psi l1.periodic from=straight -- TR=1 closed=1
+  rm build/runs/psi/looks
+  run -0 mlg run psi l1.periodic from=straight -- TR=1 closed=1
+  [ -z "$output" ]
+  [ -s build/runs/psi/looks ]
+}
+
+@test "a table of a damaged file is one line, not half a table" {
+  local damage
+  mkdir -p damaged
+  for damage in '60s/.\{40\}$//' '60s/E/x/' 's/PT  TY/PX  TY/' '60s/^ *[-0-9]* *[-0-9]*/   z/'; do
+    sed "$damage" build/runs/psi/b.psi >damaged/b.damaged
+    refuses "table: damaged/b.damaged:*" mlg table damaged/damaged
+    refuses "rows: damaged/b.damaged:*" mlg rows damaged/damaged columns=V
+    run -1 mlg judge damaged/damaged
+  done
+  head -c 5000 build/runs/psi/b.psi >damaged/b.damaged
+  refuses "table: damaged/b.damaged:*: the last line is cut" mlg table damaged/damaged
+  cp build/runs/psi/b.psi damaged/b.damaged
+  dd if=/dev/zero of=damaged/b.damaged bs=1 seek=6000 count=200 conv=notrunc status=none
+  refuses "table: damaged/b.damaged:*: a zero byte" mlg table damaged/damaged
+  cp build/runs/psi/b.psi damaged/b.damaged
+  head -c 20000 build/runs/psi/s.psi >damaged/s.damaged
+  refuses "table: damaged/s.damaged:*: the solution of label * is cut: *" mlg table damaged/damaged solution UZ1
+  sed '50d' build/runs/psi/b.psi >damaged/b.damaged
+  cp build/runs/psi/s.psi damaged/s.damaged
+  says 1 'damaged: *a point is missing before it*' mlg judge damaged/damaged
+}
+
+## Bounds on AUTO
+
+@test "AUTO's time and the size of its files are bounded, and the message says which" {
+  cp build/models/l1.exe l1.exe
+  printf '#!/bin/sh\nsleep 30\n' >build/models/l1.exe
+  MLG_TIME_LIMIT=1 says 1 'slow (*): AUTO had not ended after 1 s (MLG_TIME_LIMIT)' mlg run slow l1.straight
+  printf '#!/bin/bash\nexec head -c 2G /dev/zero >b.big\n' >build/models/l1.exe
+  says 1 "big (*): a file of AUTO's grew to 1024 MB, the most that is allowed" mlg run big l1.straight
+  cp l1.exe build/models/l1.exe
+  rm -rf build/runs/big.part
+  MLG_TIME_LIMIT=soon refuses "run: MLG_TIME_LIMIT='soon': *" mlg run slow l1.straight
+}
+
+@test "a run that is stopped leaves nothing, and no AUTO behind" {
+  local signal pid auto tries
+  for signal in INT TERM HUP KILL; do
+    env --default-signal=INT build/bin/mlg run stopped l1.periodic from=straight DSMAX=0.002 NMX=50000 >/dev/null 2>&1 3>&- &
+    pid=$!
+    until [ -s build/runs/stopped.part/b.stopped ]; do kill -0 $pid && sleep 0.02; done
+    auto=$(ps -o pid= --ppid $pid)
+    kill -$signal $pid
+    run ! wait $pid
+    for tries in {1..100}; do
+      grep -q '^State:[[:space:]]*[^ZX]' /proc/$((auto))/status 2>/dev/null || break
+      sleep 0.05
+    done
+    [ "$tries" -lt 100 ]
+    [ ! -e build/runs/stopped ]
+    [ $signal = KILL ] || [ ! -e build/runs/stopped.part ]
+  done
+  mlg run stopped l1.periodic from=straight -- closed=1
+  [ ! -e build/runs/stopped.part ]
+}
+
+@test "a rejected run can be looked at by its name" {
+  says 1 'few (*' mlg run few l1.periodic from=straight NMX=10
+  [ "$(mlg rows few.part columns=V | wc -l)" -eq 10 ]
+  mlg table few.part | grep -q '^10,'
+  mlg table few.part solution EP1 | grep -q '^t,delta'
+}
+
+@test "the judge changed: what is there is judged again, and AUTO does not run" {
+  local before
+  before=$(stat -c %Y.%i build/runs/straight/b.straight)
+  cp build/bin/mlg other
+  printf ' ' >>other
+  MLG_ROOT=$PWD run -0 ./other run straight l1.straight -- HB=4
+  [ -z "$output" ]
+  [ "$(stat -c %Y.%i build/runs/straight/b.straight)" = "$before" ]
+}
+
+## Files of AUTO's own
+
+@test "files of AUTO 0.9.2 and 0.9.4, and several branches in one" {
+  local version
+  for version in 0.9.2 0.9.4; do
+    says 0 'HB 13.4308' mlg judge autofiles/$version/straight -- HB=1 UZ=1
+    [ "$(mlg table autofiles/$version/straight labels | cut -d, -f4 | tail -n +3 | xargs)" = 'EP1 HB1 UZ1' ]
+    [ "$(mlg table autofiles/$version/orbits | grep -c '^[0-9]')" -eq 9 ]
+    [ "$(mlg table autofiles/$version/orbits | cut -d, -f5 | sed -n '4,11p' | sort -u)" = 1 ]
+    refuses 'table: *holds branches of different columns; save them one by one' mlg table autofiles/$version/appended
+    [ "$(mlg rows autofiles/$version/appended columns=V | wc -l)" -eq 21 ]
+    mkdir -p twice
+    cat autofiles/$version/b.straight autofiles/$version/b.straight >twice/b.twice
+    [ "$(mlg table twice/twice | grep -c '^[0-9]')" -eq 24 ]
+    [ "$(mlg table twice/twice | grep -c '^$')" -eq 1 ]
+  done
+  mlg table autofiles/0.9.2/straight | diff - <(mlg table autofiles/0.9.4/straight)
+}
