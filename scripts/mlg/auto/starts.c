@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "arguments.h"
+#include "branch.h"
 #include "names.h"
 #include "command.h"
 #include "select.h"
