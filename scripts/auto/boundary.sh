@@ -92,8 +92,7 @@ boundary_points() { # FIGURE_NUMBER LAYOUT B
   mlg agree "$2" b="$3" "${curves[@]}" > /dev/null || exit $?
   mlg rows "${curves[@]}" prefix="$2,$3" columns=curve,bp,type,k_s:.8g,c_1:.8g,V_1,f_1:.7g,extremum,shimmy every=2 phase=1 types=LP,UZ keep=any \
     >> "$boundary_table.new"
-  points "$1,$2" "${curves[@]}"
-  [ -z "${asked:-}" ] || mlg points "${curves[@]}" prefix="$1,$2" uz=compliance="$asked" >> "$points_table.new"
+  points "$1,$2" "${curves[@]}" ${asked:+uz=compliance="$asked"}
   mlg regions "$2" b="$3" | sed '/^#/d; /^layout/d' >> "$table.new"
 }
 

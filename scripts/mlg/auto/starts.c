@@ -57,6 +57,15 @@ static int is_followed(const struct job *j, double compliance, const struct libm
   return 0;
 }
 
+/* A start that no rounding of the last digits changes: AUTO's steps hang on it. */
+static double ten_digits(double x)
+{
+  char text[32];
+
+  snprintf(text, sizeof text, "%.10g", x);
+  return strtod(text, NULL);
+}
+
 static int run_starts(int argc, char *argv[])
 {
   struct option option[] = {
@@ -80,8 +89,9 @@ static int run_starts(int argc, char *argv[])
   for (int i = 0; i < n; i++)
     if ((point[i].kind == LIBMLG_LEAST || point[i].kind == LIBMLG_LARGEST) && point[i].c_d > option[0].value
         && point[i].c_d < option[1].value && !is_followed(&j, compliance, &point[i]))
-      printf("U={'omega_1': %.12g, 'speed_1': %.12g, 'logc_1': %.12g}\n", point[i].omega / 10., point[i].V / 10.,
-             log10(point[i].c_d));
+      printf("U={'omega_1': %.12g, 'speed_1': %.12g, 'logc_1': %.12g}\n",
+             2. * MLG_PI * ten_digits(point[i].omega / (2. * MLG_PI)) / 10., ten_digits(point[i].V) / 10.,
+             log10(ten_digits(point[i].c_d)));
   free_runs(&j);
   return output_status(argv[0]);
 }
