@@ -43,11 +43,9 @@ goals := $(or $(MAKECMDGOALS),figures)
 
 figures: ## every figure and the table of paper against computed values
 	@scripts/report/targets.sh
-	@scripts/report/summary.sh
 	@scripts/report/page.sh
 
 page: ## the results as one page, build/results.html, from the tables that are there
-	@scripts/report/summary.sh
 	@scripts/report/page.sh
 
 models: $(models) ## the layouts as AUTO executables, build/models/*.exe

@@ -164,6 +164,7 @@ static int pictures_are_there(const struct text *page, struct text *why)
       break;
     text_add(&file, "%sresults/", checkout());
     text_append(&file, name + 2, strcspn(name + 2, ")"));
+    note_use(file.at);
     there = access(file.at, R_OK) == 0;
     if (!there)
       text_add(why, "there is no %s; its script's word draw makes it", file.at);
