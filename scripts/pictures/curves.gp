@@ -10,10 +10,10 @@
 # one, black for an infinite one; solid lines bound psi-, dashed ones delta-shimmy.
 file = sprintf("results/%s.csv", figure)
 # columns of the table: 1 panel, 2 b, 3 k_s, 4 curve, 5 shimmy, 6 type, 7 V, 8 c_d
-list(what) = system(sprintf("awk -F, '/^#/ || $1==\"panel\" {next} %s && !seen[$3]++ {print $3}' %s | sort -g", what, file))
-all_k = list("1")
-of_panel(p, kind) = list(sprintf("$1==\"%s\" && $5==\"%s\"", p, kind))
-rows(p, k, kind) = sprintf("< awk -F, '$1==\"%s\" && $3==\"%s\" && $5==\"%s\" {if($4!=last)print \"\"; last=$4; print}' %s", p, k, kind, file)
+list(what) = cell(sprintf("%s k_s each %s", file, what))
+all_k = list("")
+of_panel(p, kind) = list(sprintf("panel=%s shimmy=%s", p, kind))
+rows(p, k, kind) = pick(file, sprintf("panel=%s k_s=%s shimmy=%s blocks=curve", p, k, kind))
 
 palette = "#2b3a9f #2f7fd6 #1aa6a6 #3a9d3a #a5a500 #ef8a17 #d9372b #8e1a6b"
 place(k) = sum [j=1:words(all_k)] (word(all_k, j) eq k ? j : 0)

@@ -1,8 +1,8 @@
 # fig10.gp - Figure 10 from results/fig09.csv, fig10.csv, boundary_points.csv
-load "scripts/regions.gp"
+load "scripts/pictures/regions.gp"
 file = "results/fig10.csv"
 # the diagram in (a): 4 curve, 5 shimmy, 6 type, 7 V, 8 c_d of results/fig09.csv, a block a curve
-shown = "< awk -F, '$1==\"a\" && $3==\"1e6\" {if($4!=last)print \"\"; last=$4; print}' results/fig09.csv"
+shown = pick("fig09", "panel=a k_s=1e6 blocks=curve")
 extremum(y) = strcol(6) eq "LP" ? y : NaN
 bp(shimmy, V, c) = shimmy eq "psi" ? (c < 8000 ? "BP1" : "BP3") : (c < 12000 ? "BP2_l" : "BP2_u")
 stats curve("l2", "0", "onset") using 6 name "onset" nooutput

@@ -1,10 +1,10 @@
 # fig15.gp - Figure 15 from results/fig15.csv and widths.csv
-load "scripts/regions.gp"
+load "scripts/pictures/regions.gp"
 file = "results/fig15.csv"
 bs = "0 50 80 100 120 140"
 colours = "#000000 #1f4fd8 #2a9d5c #d62ad6 #e08214 #d62728"
-widths = "< awk -F, '$1==\"li2\"' results/widths.csv"
-at(b) = sprintf("< awk -F, '$1==\"li2\" && $2==\"%s\"' results/widths.csv", b)
+widths = pick("widths", "layout=li2")
+at(b) = pick("widths", "layout=li2 b=" . b)
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1200,1150 font "DejaVu Sans,13" } \
   else { set terminal svg size 1200,1150 font "DejaVu Sans,14" }
@@ -26,7 +26,7 @@ do for [ending in "png svg"] {
   set title "(b) largest width in damping over k_s, limited by the onset of δ-shimmy at every b" offset 0,-0.6
   set xrange [0:300]; set yrange [0:24]; set xtics 20; set ytics 4
   set xlabel "b (N m s^2/rad)"; set ylabel "width (kN m s/rad)"
-  set label 1 system("awk -F, '$1==\"li2\" && $2==140 {printf \"%.0f at b = 140\", $6}' results/widths.csv") at 143,18.2 left
+  set label 1 cell("format=%.0f widths width layout=li2 b=140") . " at b = 140" at 143,18.2 left
   plot widths using 2:(kilo*$6) with linespoints pt 7 ps 0.8 lw 2 lc rgb "#1f4fd8", \
        at("140") using 2:(kilo*$6) with points ls 8
   unset label

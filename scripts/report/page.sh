@@ -12,7 +12,7 @@ export MLG_USES=build/stamps/page.$$.uses
 trap 'rm -f "$MLG_USES"' EXIT
 printf '%s\n' "$0" scripts/report/{summary.sh,head.html} scripts/auto/*.sh build/bin/mlg > "$MLG_USES"
 touch build/stamps/page.began
-scripts/report/summary.sh
+scripts/report/summary.sh || exit
 alone results
 {
   cat scripts/report/head.html

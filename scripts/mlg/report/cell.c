@@ -57,9 +57,9 @@ struct choice {
   int conditions;
   long nth;
   int extreme, sign; /* the column of largest= and least=, +1 or -1; or -1 */
-  int along;         /* the column of at:, or -1 */
+  int along;         /* the column of at: and nearest:, or -1 */
   double place;
-  int list, each;
+  int nearest, list, each;
 };
 
 static int is_operator(const char *word)
@@ -85,15 +85,15 @@ static int column_or_say(const struct choice *c, const char *name, int *column, 
   return *column < 0 ? CELL_WRONG : 0;
 }
 
-/* at:COLUMN=TERM */
+/* at:COLUMN=TERM, nearest:COLUMN=TERM */
 static int read_place(struct reading *r, struct choice *c)
 {
-  const char *word = r->word[r->at++] + strlen("at:"), *equals = strchr(word, '=');
+  const char *word = strchr(r->word[r->at++], ':') + 1, *equals = strchr(word, '=');
   struct text name = TEXT_NONE, value = TEXT_NONE;
   int status;
 
   if (!equals) {
-    text_add(r->why, "'at:%s': expected at:COLUMN=NUMBER", word);
+    text_add(r->why, "'%s': expected COLUMN=NUMBER", word);
     return CELL_WRONG;
   }
   text_append(&name, word, (size_t)(equals - word));
@@ -122,7 +122,8 @@ static int read_choice(struct reading *r, struct choice *c)
   while (status == 0 && r->at < r->words && !is_operator(r->word[r->at])) {
     const char *word = r->word[r->at];
 
-    if (strncmp(word, "at:", 3) == 0) {
+    if (strncmp(word, "at:", 3) == 0 || strncmp(word, "nearest:", 8) == 0) {
+      c->nearest = *word == 'n';
       status = read_place(r, c);
       continue;
     }
@@ -244,19 +245,24 @@ static int between(const struct choice *c, struct text *value)
   return CELL_MISSING;
 }
 
+/* What the row that counts has the most of. */
+static double merit(const struct choice *c, int row)
+{
+  return c->nearest ? -fabs(csv_number(c->table, row, c->along) - c->place) : c->sign * csv_number(c->table, row, c->extreme);
+}
+
 /* The row that counts, or -1. */
 static int chosen_row(const struct choice *c)
 {
   int row = first_fitting(c, 0), best = row;
 
-  if (c->extreme < 0) {
+  if (c->extreme < 0 && !c->nearest) {
     for (long n = 1; row >= 0 && n < c->nth; n++)
       row = first_fitting(c, row + 1);
     return row;
   }
   for (; row >= 0; row = first_fitting(c, row + 1))
-    if (c->sign * csv_number(c->table, row, c->extreme) > c->sign * csv_number(c->table, best, c->extreme)
-        || isnan(csv_number(c->table, best, c->extreme)))
+    if (merit(c, row) > merit(c, best) || isnan(merit(c, best)))
       best = row;
   return best;
 }
@@ -286,7 +292,7 @@ static int cell(struct reading *r, struct text *value)
     text_add(value, "%d", *column == 'c' ? closed_curves(&c) : joined_curves(c.table));
   else if (c.list || c.each)
     status = many(&c, value);
-  else if (c.along >= 0)
+  else if (c.along >= 0 && !c.nearest)
     status = between(&c, value);
   else if ((row = chosen_row(&c)) < 0)
     status = CELL_MISSING;
@@ -474,9 +480,9 @@ const struct command command_cell = {
   "cell", "[format=%.2f] TABLE COLUMN [CONDITION ...]",
   "what a table of results/ says",
   "TABLE: results/TABLE.csv, or a file with a slash in its name.  CONDITION: COLUMN=VALUE, or\n"
-  "with != < <= > >=, or COLUMN%10=0, the rest of a division; the first row that fits all\n"
-  "counts.  nth=N: the N-th; largest=COLUMN, least=COLUMN: the one with the largest number there;\n"
-  "at:COLUMN=X: between two rows around it, in a straight line; list: all; each: all once, by size.\n"
+  "with != < <= > >=, or COLUMN=A|B, or COLUMN%10=0, the rest of a division; the first row that\n"
+  "fits all counts.  nth=N: the N-th; largest=COLUMN, least=COLUMN, nearest:COLUMN=X: the one with\n"
+  "that number there; at:COLUMN=X: between two rows around it, in a straight line; list: all; each: all once, by size.\n"
   "COLUMN `count`: how many rows fit.  Cells may be combined by - / and over (per cent above),\n"
   "compared by = != < <= > >=, and joined by and, with blanks around each:\n"
   "  mlg cell widths b layout=li1 largest=width\n"

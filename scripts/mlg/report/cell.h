@@ -7,6 +7,7 @@
  *   CONDITION   of csv.h; several rows may fit, and the first counts, but for these words:
  *     nth=N            the N-th
  *     largest=COLUMN   the one with the largest number there; least=COLUMN
+ *     nearest:COLUMN=TERM  the one with the nearest number there
  *     at:COLUMN=TERM   between the two neighbouring rows around that number, in a straight line
  *     list             all of them, with commas between
  *     each             every number once, by size, with blanks between

@@ -136,6 +136,19 @@ int read_row_condition(const struct csv *t, const char *word, struct condition *
   return why->length > 0 ? -1 : 0;
 }
 
+/* Whether a text is one of "A|B|C". */
+static int is_one_of(const char *cell, const char *list)
+{
+  for (const char *t = list; t; t = *t ? t + 1 : NULL) {
+    const size_t n = strcspn(t, "|");
+
+    if (strlen(cell) == n && strncmp(cell, t, n) == 0)
+      return 1;
+    t += n;
+  }
+  return 0;
+}
+
 int fits_condition(const struct csv *t, int row, const struct condition *c)
 {
   const char *cell = csv_cell(t, row, c->column);
@@ -146,7 +159,7 @@ int fits_condition(const struct csv *t, int row, const struct condition *c)
       x = fmod(x, c->modulus);
     order = x < y ? -1. : x > y ? 1. : 0.;
   } else
-    order = c->modulus > 0. || strchr("<>", c->relation[0]) ? NAN : strcmp(cell, c->value);
+    order = c->modulus > 0. || strchr("<>", c->relation[0]) ? NAN : !is_one_of(cell, c->value);
   switch (c->relation[0]) {
   case '=': return order == 0.;
   case '!': return order != 0.;

@@ -30,7 +30,8 @@ const char *csv_cell(const struct csv *table, int row, int column);
 double csv_number(const struct csv *table, int row, int column);
 
 /* NAME=VALUE, or another of = != < <= > >= between them: which rows are meant.  Two numbers
- * are compared as numbers, all else as texts; NAME%N is the rest of a division by N. */
+ * are compared as numbers, all else as texts, of which = takes several, NAME=A|B; NAME%N is
+ * the rest of a division by N. */
 struct condition {
   int column;
   char relation[3];
