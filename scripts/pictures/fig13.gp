@@ -5,7 +5,11 @@ bs = "20 30 70 100 130 150"
 widths(kind) = pick("widths", "layout=li1 " . kind)
 tens = "b%10=0"
 best = "'b>140' 'b<150'" # where the third psi region takes over: the largest of all
-largest(column) = real(cell(sprintf("widths %s layout=li1 largest=width", column)))
+# what limits the width in turn (docs/boundary.md), and the b where it changes
+changes = cell("widths b layout=li1 b%10!=0 each")
+change(i) = i < 1 ? 0. : i > words(changes) ? 200. : real(word(changes, i))
+limits = "'1  onset of the δ region' '2  BP2_u reaches BP1' '3  stationary above BP2_u' '4  BP2_u reaches BP1' '5  onset of the δ region' '6  the same, above the third ψ region' '7  BP2_u reaches the third ψ region'"
+largest(column) = number(sprintf("widths %s layout=li1 largest=width", column))
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1300,1300 font "DejaVu Sans,13" } \
   else { set terminal svg size 1300,1300 font "DejaVu Sans,14" }
@@ -35,16 +39,17 @@ do for [ending in "png svg"] {
   set lmargin at screen 0.065; set rmargin at screen 0.965
   set tmargin at screen 0.31; set bmargin at screen 0.055
   set title "(b) largest width in damping over k_s" offset 0,-0.6
-  set xrange [0:200]; set yrange [0:12]; set xtics 20; set ytics 2
-  set xlabel "b (N m s^2/rad)"; set ylabel "width (kN m s/rad)" offset 1,0
-  set label 1 "onset of δ-shimmy" at 16,9.2 left
-  set label 2 "BP2_u reaches BP1" at 62,6.0 left; set label 7 "BP2_u reaches BP1" at 22,7.3 left
-  set label 3 "stationary above BP2_u" at 34,4.1 center
-  set label 4 "onset of δ-shimmy" at 104,9.6 left
-  set label 5 "onset above the third ψ region" at 198,11.2 right
-  set label 6 sprintf("largest: %.1f at b = %.2f, k_s = %.4g MN m/rad", largest("width"), largest("b"), mega*largest("k_s")) at 122,7.6 center
+  set xrange [0:200]; set yrange [0:13]; set xtics 20; set ytics 2
+  set xlabel "b (N m s^2/rad)"; set ylabel "width (kN m s/rad)" offset 0,0
+  do for [i=1:7] {
+    set label i sprintf("%d", i) at 0.5*(change(i - 1) + change(i)),12.3 center font ",12"
+    set label 10 + i word(limits, i) at 62 + 52*((i - 1) / 4),5.3 - 1.1*((i - 1) % 4) left font ",12"
+  }
+  set label 20 sprintf("largest: %.1f at b = %.2f, k_s = %.4g MN m/rad", largest("width"), largest("b"), mega*largest("k_s")) at 118,7.2 center font ",12"
   plot widths("") using 2:(kilo*$6) with lines lc rgb "#1f4fd8" lw 2, \
        widths(tens) using 2:(kilo*$6) with points pt 7 ps 0.8 lc rgb "#1f4fd8", \
+       widths("b%10!=0") using 2:(kilo*$6):(0):(13 - kilo*$6) with vectors nohead lc rgb "#808080" dt (3,4), \
+       widths("b%10!=0") using 2:(kilo*$6) with points pt 6 ps 1.2 lw 1.5 lc rgb "#000000", \
        widths(best) using 2:(kilo*$6) with points ls 8
   unset label
   unset multiplot

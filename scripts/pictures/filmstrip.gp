@@ -5,7 +5,7 @@ file = "results/filmstrip.csv"
 turns = 5; bends = 10; shifts = 4 # psi, delta* and lambda are drawn so many times larger
 gear(solution, view, part, choice) = sprintf("< build/bin/mlg strip %s solution=%s view=%s part=%s %s turns=%g bends=%g shifts=%g", file, solution, view, part, choice, turns, bends, shifts)
 draw_gear = "plot gear(s, view, 'wheels', choice) with filledcurves closed fc rgb '#e4e4e4', gear(s, view, 'strut', choice) with lines ls 11, gear(s, view, 'contact', choice) with lines ls 12"
-period(s) = real(cell(sprintf("%s t solution=%s phase=1", file, s)))
+period(s) = number(sprintf("%s t solution=%s phase=1", file, s))
 title(s) = sprintf("%s, %.1f Hz", s eq "A" ? "A: ψ-shimmy, V = 20 m/s" : "B: δ-shimmy, V = 40 m/s", 1. / period(s))
 place(above, below) = sprintf("set tmargin at screen %g; set bmargin at screen %g", above, below)
 

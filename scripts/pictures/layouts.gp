@@ -3,9 +3,9 @@
 load "scripts/pictures/regions.gp"
 layouts = "li3 li4 li5"
 name(l) = l eq "l2" ? "L2" : "LI" . l[3:3]
-value_of(l, c) = real(cell(sprintf("layouts_planes %s panel=%s", c, l)))
+value_of(l, c) = number(sprintf("layouts_planes %s panel=%s", c, l))
 # the widest interval in hand of layout l at k_s: c_lo and c_hi
-bound(l, c) = real(cell(sprintf("layouts %s layout=%s nearest:k_s=%s", c, l, cell("layouts_planes k_s panel=" . l))))
+bound(l, c) = number(sprintf("layouts %s layout=%s nearest:k_s=%s", c, l, cell("layouts_planes k_s panel=" . l)))
 branch(l) = where("results/layouts_branches.csv", "layout", l)
 plane(l) = pick("layouts_planes", sprintf("panel=%s blocks=curve", l))
 widths(l) = pick("widths", sprintf("layout=%s 'width>0'", l))
@@ -67,7 +67,7 @@ do for [ending in "png svg"] {
   set xrange [0:200]; set xtics 20; set xlabel "b (N m s^2/rad)"
   set yrange [0:25]; set ytics 5; set ylabel "width (kN m s/rad)"
   set key left top horizontal samplen 2 autotitle
-  L2 = real(cell("widths width layout=li2 b=0"))
+  L2 = number("widths width layout=li2 b=0")
   plot kilo*L2 with lines lc rgb "#808080" lw 2 title "L2", \
        widths("li1") using 2:(kilo*$6) with lines lc rgb "#808080" dt (2,3) lw 2 title "LI1", \
        widths("li2") using 2:(kilo*$6) with lines lc rgb "#808080" dt (8,4) lw 2 title "LI2", \

@@ -26,4 +26,5 @@ set key noautotitle
 # one of its cells (mlg help pick, mlg help cell).
 pick(table, conditions) = sprintf("< build/bin/mlg pick %s %s", table, conditions)
 cell(words) = system("build/bin/mlg cell " . words)
+number(words) = real(cell("format=%.10e " . words)) # of "4e5" gnuplot makes none
 where(file, column, value) = pick(file, sprintf("'%s=%s'", column, value))
