@@ -13,7 +13,7 @@
 
 #include "arguments.h"
 #include "command.h"
-#include "boundary.h"
+#include "names.h"
 
 enum { MOST_NODES = 2048 };
 
@@ -22,6 +22,7 @@ struct node { double b; struct libmlg_widest w; };
 struct job {
   const char *command;
   struct arguments a;
+  double step;
   struct node node[MOST_NODES];
   int n;
   int first[MOST_NODES]; /* node that begins a stretch */
@@ -84,6 +85,25 @@ static void add_to(struct job *j, const struct node *a, const struct node *b, do
   j->first[j->n - 1] = 1;
 }
 
+/* Right beside an event rounding may name the limit now so, now so: stretches of less than a
+ * thousandth of a step go. */
+static void drop_slivers(struct job *j, double least)
+{
+  int kept = 0;
+
+  for (int i = 0, last; i < j->n; i = last + 1) {
+    for (last = i; last + 1 < j->n && !j->first[last + 1]; last++)
+      ;
+    if (last + 1 < j->n && i > 0 && j->node[last + 1].b - j->node[i].b < least)
+      continue;
+    for (int k = i; k <= last; k++) {
+      j->first[kept] = k == i && !(kept > 0 && goes_on(&j->node[kept - 1].w, &j->node[k].w));
+      j->node[kept++] = j->node[k];
+    }
+  }
+  j->n = kept;
+}
+
 static void find_nodes(struct job *j, double from, double to, double step, double tolerance)
 {
   const int steps = (int)floor((to - from) / step + 1e-9);
@@ -98,6 +118,7 @@ static void find_nodes(struct job *j, double from, double to, double step, doubl
       add_node(j, &next);
     last = next;
   }
+  drop_slivers(j, 1e-3 * step);
 }
 
 /* --- the table ------------------------------------------------------------------------ */
@@ -121,10 +142,10 @@ static void print_table(const struct job *j)
 /* --- stretches as runs of AUTO --------------------------------------------------------- */
 
 /* The boundary point, other than lo and hi, that is most like p. */
-static struct libmlg_point most_like(struct job *j, const struct node *node, const struct libmlg_point *p, double nearer)
+static struct libmlg_point most_like(struct job *j, const struct node *node, const struct libmlg_point *p)
 {
   struct libmlg_point point[LIBMLG_MOST_POINTS], best = node->w.interval.lo;
-  double least = nearer;
+  double least = HUGE_VAL;
 
   j->a.par[NUMBER_B] = node->b;
   j->a.par[NUMBER_K_S] = node->w.k_s;
@@ -142,6 +163,25 @@ static struct libmlg_point most_like(struct job *j, const struct node *node, con
   return best;
 }
 
+/* The top of the next region below the interval: who may take over from lo. */
+static struct libmlg_point below(struct job *j, const struct node *node)
+{
+  const struct libmlg_point *lo = &node->w.interval.lo;
+  struct libmlg_point point[LIBMLG_MOST_POINTS], best = *lo;
+  double highest = 0.;
+
+  j->a.par[NUMBER_B] = node->b;
+  j->a.par[NUMBER_K_S] = node->w.k_s;
+  const int n = checked(j->command, libmlg_boundary_points(j->a.layout, j->a.par, 0., 0., j->a.V_top, point, LIBMLG_MOST_POINTS));
+
+  for (int i = 0; i < n; i++)
+    if (point[i].kind == lo->kind && point[i].c_d < lo->c_d * (1. + 1e-6) && point[i].c_d > highest && !is_near(&point[i], lo)) {
+      highest = point[i].c_d;
+      best = point[i];
+    }
+  return best;
+}
+
 static int print_point(int i, const struct libmlg_point *p)
 {
   printf("%s'omega_%d': %.12g, 'speed_%d': %.12g, 'logc_%d': %.12g", i > 1 ? ", " : "", i, p->omega / 10., i, p->V / 10., i,
@@ -156,6 +196,8 @@ static const char *event_between(const struct libmlg_widest *w, const struct lib
   const int same_lo = is_near(&w->interval.lo, &next->interval.lo) || is_near(&w->third, &next->interval.lo)
                       || (next->limit == LIBMLG_EQUAL_LO && is_near(&w->interval.lo, &next->third));
 
+  if (fabs(next->k_s / w->k_s - 1.) > 1e-4)
+    return NULL;
   if (w->limit == LIBMLG_ONSET && next->limit == LIBMLG_EQUAL_LO && same_lo)
     return "gap";
   if (w->limit == LIBMLG_EQUAL_LO && next->limit == LIBMLG_STATIONARY && same_lo)
@@ -167,19 +209,65 @@ static const char *event_between(const struct libmlg_widest *w, const struct lib
   return NULL;
 }
 
+static double width_at(struct job *j, double b)
+{
+  return node_at(j, b).w.width;
+}
+
+/* The b inside a stretch at which the width is largest, or NaN: at an end.  Newton's method
+ * on differences, for the width is flat there. */
+static double peak_of(struct job *j, int first, int last)
+{
+  int top = first;
+
+  for (int i = first; i <= last; i++)
+    if (j->node[i].w.width > j->node[top].w.width)
+      top = i;
+  if (top == first || top == last)
+    return NAN;
+
+  const double left = j->node[top - 1].b, right = j->node[top + 1].b;
+  double b = j->node[top].b;
+
+  for (double h = 0.2 * fmin(b - left, right - b), i = 0; i < 6; i++) {
+    const double before = width_at(j, b - h), here = width_at(j, b), after = width_at(j, b + h);
+    const double step = 0.5 * h * (before - after) / (before - 2. * here + after);
+
+    b = fmax(left + h, fmin(right - h, b + step));
+    if (fabs(step) < 1e-4)
+      break;
+    h = fmax(0.02 * (right - left) * 0.2, fmin(h, fabs(step)));
+  }
+  return b;
+}
+
+/* Where a run of a stretch begins: at the first step of b inside, away from the event that
+ * begins it, where things move fast. */
+static const struct node *start_of(const struct job *j, int first, int last)
+{
+  for (int i = first; i <= last; i++)
+    if (fabs(j->node[i].b / j->step - round(j->node[i].b / j->step)) < 1e-9)
+      return &j->node[i];
+  return &j->node[first];
+}
+
 /* One run: NAME=VALUE words of `mlg run` behind the stretch's number, range and limit. */
 static void print_stretch(struct job *j, int number, int first, int last)
 {
-  const struct node *node = &j->node[first], *end = &j->node[last];
+  const struct node *node = start_of(j, first, last), *end = &j->node[last];
   const struct libmlg_widest *w = &node->w, *next = last + 1 < j->n ? &j->node[last + 1].w : NULL;
-  const char *event = next ? event_between(&end->w, next) : NULL;
+  const char *event = next ? event_between(&end->w, next) : "b";
+  const double peak = peak_of(j, first, last);
   const int with_rival = event && strcmp(event, "rival") == 0;
   struct libmlg_point lo = w->interval.lo, third = w->third;
   int i = 1;
 
   if (w->limit == LIBMLG_NO_INTERVAL || w->limit == LIBMLG_UNBOUNDED)
     return;
-  printf("%d,%.10g,%.10g,%s,", number, node->b, next ? j->node[last + 1].b : end->b, limit_name(w->limit));
+  printf("%d,%.10g,%.10g,%.10g,", number, j->node[first].b, next ? j->node[last + 1].b : end->b, node->b);
+  if (!isnan(peak))
+    printf("%.3f", peak);
+  printf(",%s,", limit_name(w->limit));
   if ((w->limit != LIBMLG_ONSET && w->limit != LIBMLG_EQUAL_LO && w->limit != LIBMLG_STATIONARY)
       || w->interval.lo.kind != LIBMLG_LARGEST || w->interval.hi.kind != LIBMLG_LEAST) {
     printf(",,\n"); /* none of the conditions of models/boundary.h */
@@ -190,24 +278,24 @@ static void print_stretch(struct job *j, int number, int first, int last)
     third = w->interval.lo;
   }
   if (w->limit == LIBMLG_STATIONARY)
-    third = most_like(j, node, &lo, HUGE_VAL);
-  printf("%s,%s,\"U={", with_rival ? "boundary.rival" : "boundary.width", event ? event : "b");
+    third = below(j, node);
+  printf("%s,%s,\"U={", with_rival ? "boundary.rival" : "boundary.width", event ? event : "wider");
   i = print_point(i, &third);
   if (with_rival) {
-    const struct libmlg_point rival = most_like(j, node, &next->interval.lo, HUGE_VAL);
+    const struct libmlg_point rival = most_like(j, node, &next->interval.lo);
 
     i = print_point(i, &rival);
   }
   i = print_point(i, &lo);
   print_point(i, &w->interval.hi);
-  printf(", 'kappa': %.12g, 'inert': %.12g}\"\n", 1e5 / w->k_s, node->b / 100.);
+  printf(", 'kappa': %.12g}\"\n", 1e5 / w->k_s);
 }
 
 static void print_stretches(struct job *j)
 {
   int number = 0;
 
-  printf("stretch,b_from,b_to,limit,constants,event,U\n");
+  printf("stretch,b_from,b_to,b_start,b_peak,limit,constants,event,U\n");
   for (int i = 0; i < j->n; i++)
     if (j->first[i]) {
       int last = i;
@@ -243,6 +331,7 @@ static int run(int argc, char *argv[])
     fail(argv[0], MLG_BAD_INPUT, "b_least = %g is not below b_most = %g N m s^2/rad", option[0].value, option[1].value);
   if ((option[1].value - option[0].value) / option[2].value > MOST_NODES / 2)
     refuse(argv[0], option[2].word ? option[2].word : option[1].word, "more than %d steps of b", MOST_NODES / 2);
+  j.step = option[2].value;
   find_nodes(&j, option[0].value, option[1].value, option[2].value, option[3].value);
   if (stretches)
     print_stretches(&j);
@@ -261,9 +350,10 @@ const struct command command_limits = {
     "V_lo, V_hi m/s; limit as in `mlg widest`.\n"
     "\n"
     "stretches: one row for each stretch with one limit instead, as a run of AUTO:\n"
-    "  stretch, b_from, b_to, limit\n"
+    "  stretch, b_from, b_to, b_start, limit; b_peak: where the width is largest inside\n"
     "  constants   boundary.width or boundary.rival; empty: AUTO has no condition for it\n"
-    "  event       what passes zero where the stretch ends (models/boundary.h); b: at b_to\n"
-    "  U           the unknowns at b_from, as one word for `mlg run`\n",
+    "  event       what passes zero where the stretch ends (models/boundary.h); wider: at b_to\n"
+    "              another interval becomes the wider; b: at b_to the range ends\n"
+    "  U           the unknowns at b_start, as one word for `mlg run`\n",
   .run = run,
 };
