@@ -45,11 +45,9 @@ goals := $(or $(MAKECMDGOALS),figures)
 figures: $(models) drawings ## every figure and the table of paper against computed values
 	+@stale=$$(build/bin/mlg stamp fits $(figures)) || $(MAKE) --no-print-directory MLG_SET_UP=yes $$stale
 	@scripts/report/targets.sh
-	@scripts/report/summary.sh
 	@scripts/report/page.sh
 
 page: ## the results as one page, build/results.html, from the tables that are there
-	@scripts/report/summary.sh
 	@scripts/report/page.sh
 
 models: $(models) ## the layouts as AUTO executables, build/models/*.exe
@@ -153,7 +151,7 @@ build/lib/libmlg.so: $(library_parts) $(library_layouts) build/models/gear.o
 # --- mlg: the one command on it ------------------------------------------------
 mlg_parts := $(patsubst scripts/mlg/%.c,build/mlg/%.o,$(filter-out %/drawn.c,$(wildcard scripts/mlg/*.c scripts/mlg/*/*.c)))
 mlg_drawn := $(layouts:%=build/mlg/drawn-%.o)
-mlg_includes = -Imodels -Imodels/libmlg -Ibuild/libmlg -Iscripts/mlg -Iscripts/mlg/gear -Iscripts/mlg/auto
+mlg_includes = -Imodels -Imodels/libmlg -Ibuild/libmlg -Iscripts/mlg -Iscripts/mlg/gear -Iscripts/mlg/auto -Iscripts/mlg/report
 mlg_cc = $(CC) $(CFLAGS) $(mlg_includes) -c
 
 $(mlg_parts): build/mlg/%.o: scripts/mlg/%.c build/libmlg/layouts.h Makefile
