@@ -340,7 +340,8 @@ full() {
     rm -f build/tables/*.made
     # shellcheck disable=SC2086 # a script and its argument
     run -1 full 1 scripts/$step
-    [[ $output == *'File too large'*$'\n'*'lib.sh:'*': failed: '* || $output == *'File too large'*$'\n'*"${step% *}:"*': failed: '* ]]
+    grep -E 'File too large|write error' <<<"$output" # the latter by original-awk
+    grep -E "(lib.sh|${step% *}):[0-9]+: failed: " <<<"$output"
     sha256sum --check --quiet kept.sums
   done
   # and with room again all is as before

@@ -56,7 +56,7 @@ chosen() {
 }
 
 build() {
-  make --no-print-directory test-set-up || exit
+  make --no-print-directory --silent test-set-up || exit
   MLG_SET_UP=yes make --no-print-directory --keep-going test-programs || built=no
 }
 
