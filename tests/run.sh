@@ -19,7 +19,7 @@
 #
 # Exit    0 all passed, 1 some failed, 2 no such tests
 set -euo pipefail
-. "$(dirname "$(realpath "$0")")/../scripts/tools.sh"
+. "$(dirname "$(realpath "$0")")/../scripts/auto/tools.sh"
 export CMOCKA_MESSAGE_OUTPUT=TAP
 
 readonly limit=${TEST_TIMEOUT:-600} # seconds for one file

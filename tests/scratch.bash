@@ -6,7 +6,7 @@
 scratch() {
   export ROOT SCRATCH MLG_BUILT=yes
   unset MAKEFLAGS MFLAGS MAKELEVEL AUTO_DIR AUTO_TARBALL
-  . "$(realpath "$BATS_TEST_DIRNAME")/../scripts/tools.sh"
+  . "$(realpath "$BATS_TEST_DIRNAME")/../scripts/auto/tools.sh"
   ROOT=$PWD
   SCRATCH=$ROOT/build/tests/$1
   rm -rf "$SCRATCH"
