@@ -28,7 +28,7 @@ tables() {
   for b in 20 30 70 100 130 140 150; do
     boundary_points 13 li1 "$b"
   done
-  width_rows li1 fig13.width.{1,2,3,4,5,6,7}
+  width_rows li1
   no_interval li1 200
   end_regions
 }

@@ -13,13 +13,7 @@
 runs_low() { for b in 0 50 80; do boundary_curves li2 "$b"; done; }
 runs_high() { for b in 100 120 140; do boundary_curves li2 "$b"; done; }
 
-runs_widths() {
-  local at p
-  boundary_curves li2 0
-  at=$(onset_of li2 0)
-  mapfile -t p < <(solution "$at" LP)
-  widths li2 1 boundary.width "${p[0]}" "$(low_and_high li2 0 "${p[1]}")" "${p[1]}" b=0 "$(stop_at "'gap': 0.0")"
-}
+runs_widths() { follow_widths li2; }
 
 tables() {
   local b
@@ -27,7 +21,7 @@ tables() {
   for b in 0 50 80 100 120 140; do
     boundary_points 15 li2 "$b"
   done
-  width_rows li2 fig15.width.1
+  width_rows li2
   end_regions
 }
 

@@ -76,15 +76,19 @@ static struct multipliers multipliers(const struct af_branches *all, const struc
 }
 
 /* Whether the parameter has an extremum at a point, or that is labelled as one where a
- * real multiplier passes 1. */
+ * real multiplier passes 1.  Where the orbit is smallest too there is no fold: the
+ * branch has passed a Hopf point and comes back over the same orbits. */
 static int passes_1(const struct af_part *part, long i)
 {
   const char *type = af_type_name(part->point[i].type);
+  const int size = size_column(part);
 
   if (strcmp(type, "LP") == 0 || strcmp(type, "BP") == 0)
     return 1;
-  return i > 0 && i + 1 < part->points
-         && (af_value(part, i + 1, 0) - af_value(part, i, 0)) * (af_value(part, i, 0) - af_value(part, i - 1, 0)) <= 0.;
+  if (i == 0 || i + 1 == part->points
+      || (af_value(part, i + 1, 0) - af_value(part, i, 0)) * (af_value(part, i, 0) - af_value(part, i - 1, 0)) > 0.)
+    return 0;
+  return !(af_value(part, i, size) < af_value(part, i - 1, size) && af_value(part, i, size) < af_value(part, i + 1, size));
 }
 
 /* On a branch of orbits a real multiplier passes 1 at folds and branch points only.  So

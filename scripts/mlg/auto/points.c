@@ -19,7 +19,7 @@ static void add_number(struct text *row, double x, int digits)
     text_add(row, ",%.*g", digits, x);
 }
 
-/* A point the user asked for, and not a helper on either side of a TR. */
+/* A point the user asked for, and not one that flanks a TR. */
 static int is_asked(const struct run_data *data, int part, long point)
 {
   const double torus = number_at(data, part, point, "torus");

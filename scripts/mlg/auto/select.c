@@ -119,9 +119,15 @@ static double largest_size(const struct af_part *part)
   return largest;
 }
 
+/* Straight rolling has no amplitude, whether its run reports one or not. */
+static int is_zero(const struct af_part *part, const char *name)
+{
+  return is_straight(part) && (strcmp(name, "psi_max") == 0 || strcmp(name, "dstar_max") == 0);
+}
+
 int has_column(const struct af_part *part, const char *name)
 {
-  if (af_column(part, name) >= 0 || strcmp(name, "point") == 0 || strcmp(name, "label") == 0)
+  if (af_column(part, name) >= 0 || strcmp(name, "point") == 0 || strcmp(name, "label") == 0 || is_zero(part, name))
     return 1;
   if (strcmp(name, "frequency") == 0)
     return af_column(part, "period") >= 0;
@@ -147,7 +153,7 @@ double number_at(const struct run_data *data, int part, long point, const char *
     return (double)p->point[point].number;
   if (strcmp(name, "label") == 0)
     return p->point[point].label;
-  return NAN;
+  return is_zero(p, name) ? 0. : (double)NAN;
 }
 
 int is_chosen(const struct choice *choice, const struct run_data *data, int part, long point)

@@ -4,7 +4,7 @@
 
 #include "arguments.h"
 #include "command.h"
-#include "boundary.h"
+#include "names.h"
 
 static struct option options[] = {
   { "V_least", "m/s", 0., 1e3, 0., NULL },

@@ -13,7 +13,7 @@
 
 #include "arguments.h"
 #include "command.h"
-#include "boundary.h"
+#include "names.h"
 
 enum { MOST_NODES = 2048 };
 

@@ -6,7 +6,7 @@
 
 #include "arguments.h"
 #include "command.h"
-#include "boundary.h"
+#include "names.h"
 
 enum { GRID = 400, MOST = 4 * GRID };
 

@@ -1,6 +1,6 @@
-/* boundary.h - how boundary points are named in tables */
-#ifndef MLG_COMMAND_BOUNDARY_H
-#define MLG_COMMAND_BOUNDARY_H
+/* names.h - how boundary points are named in tables */
+#ifndef MLG_NAMES_H
+#define MLG_NAMES_H
 
 #include "libmlg.h"
 
