@@ -10,7 +10,7 @@ scratch() {
   ROOT=$PWD
   SCRATCH=$ROOT/build/tests/$1
   rm -rf "$SCRATCH"
-  mkdir -p "$SCRATCH"/build/{models,bin} "$SCRATCH/tests"
+  mkdir -p "$SCRATCH"/build/{models,bin,runs} "$SCRATCH/tests"
   cd "$SCRATCH" || return
   cp -rp "$ROOT"/{Makefile,scripts,models,constants,CITATION.cff} .
   cp -p "$ROOT"/tests/targets.csv tests
@@ -20,21 +20,30 @@ scratch() {
   ln -s "$ROOT/build/auto" build/auto
 }
 
+# objects: those of the real checkout, so that make in this one builds what changed
+objects() {
+  cp -rp "$ROOT"/build/{models,bin,lib,libmlg,mlg} build
+}
+
 # made_by_make TARGET...: make in the scratch checkout with the AUTO of the real one
 made_by_make() {
   local auto
   auto=$(sed -n 's/^AUTO_DIR = //p' "$ROOT/build/auto.mk")
   case $auto in /*) export AUTO_DIR=$auto ;; esac
-  env -u MLG_BUILT make --no-print-directory "$@"
+  env -u MLG_BUILT MLG_SET_UP=yes make --no-print-directory "$@"
 }
 
-# auto_run NAME CONSTANTS ...: the function run of scripts/lib.sh
+mlg() {
+  build/bin/mlg "$@"
+}
+
+# auto_run NAME CONSTANTS ...: a run as scripts/run.sh makes it
 auto_run() {
-  bash -c '. scripts/lib.sh; run "$@"' auto_run "$@"
+  mlg run "$@"
 }
 
 # value RUN TYPE COLUMN [V]: that column at the run's first point of that type
-# (with that speed), as AUTO wrote it, read without the project's awk programs
+# (with that speed), as AUTO wrote it, read without the project's own reader
 value() {
   values "$@" | head -n 1
 }
