@@ -126,7 +126,7 @@ is_picture() { # FILE
 @test "AUTO's own commands and Python interface, as the guide has them" {
   [ "$(sed -n 's/^AUTO_DIR = //p' build/auto.mk)" = build/auto ] || skip "AUTO is not in build/auto"
   [[ $ROOT != *[[:space:]]* ]] || skip "AUTO does not stand blanks in its path"
-  cp -rp "$ROOT"/build/{models,bin,lib,constants} build
+  objects
   unset MLG_BUILT
   example 4 5
   grep -q 'TR .* 3.07865E+01' example.out
@@ -156,16 +156,14 @@ parameters() {
 @test "every parameter can be fixed and continued by its name, in every layout" {
   local layout case="c_d=3.6e4 k_s=1e6 b=100" name value at V n=0
   for layout in $(layouts); do
-    # shellcheck disable=SC2016,SC2086 # a script of its own; words
-    parameters | bash -c '. scripts/lib.sh
-      layout=$1
-      run "every.$layout" "$layout.straight" "${@:2}" STOP="[\"HB1\"]" -- HB=1
-      while read -r name value; do
-        ends=$(awk "BEGIN { print 0.9 * $value \", \" 1.1 * $value }")
-        run "every.$layout.$name" "$layout.hopf" from="every.$layout" ICP="[\"$name\", \"V\", \"period\"]" \
-          THL="{\"$name\": $(awk "BEGIN { print 1 / $value ^ 2 }")}" DS=0.02 DSMAX=0.05 \
-          UZSTOP="{\"$name\": [$ends], \"V\": [0.1, 200.0]}" -- UZ=1
-      done' every "$layout" $case >every.out
+    # shellcheck disable=SC2086 # words
+    mlg run "every.$layout" "$layout.straight" $case STOP="['HB1']" -- HB=1 >every.out
+    while read -r name value; do
+      ends=$(awk "BEGIN { print 0.9 * $value \", \" 1.1 * $value }")
+      mlg run "every.$layout.$name" "$layout.hopf" from="every.$layout" ICP="['$name', 'V', 'period']" \
+        THL="{'$name': $(awk "BEGIN { print 1 / $value ^ 2 }")}" DS=0.02 DSMAX=0.05 \
+        UZSTOP="{'$name': [$ends], 'V': [0.1, 200.0]}" -- UZ=1 >every.out
+    done < <(parameters)
     while read -r name value; do
       V=$(value "every.$layout.$name" UZ V)
       at=$(value "every.$layout.$name" UZ "$name")

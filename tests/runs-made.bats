@@ -1,4 +1,4 @@
-# mlg.bats - does mlg run, judge and read runs without a silent wrong answer?
+# runs-made.bats - does mlg run, judge and read runs without a silent wrong answer?
 #
 # Each test is an input that was once answered wrongly with status 0, or damage that
 # was carried on. The files of AUTO 0.9.2 and 0.9.4 in tests/autofiles are runs of L1:
@@ -6,13 +6,13 @@
 # appended, both in one file as @ap leaves them.
 #
 # Needs   the models and build/bin/mlg (make test-programs)
-# Writes  build/tests/mlg
+# Writes  build/tests/runs-made
 
 bats_require_minimum_version 1.5.0
 load scratch
 
 setup_file() {
-  scratch mlg
+  scratch runs-made
   cp -rp "$ROOT/tests/autofiles" .
   mlg run straight l1.straight -- HB=4
   mlg run psi l1.periodic from=straight -- TR=1 closed=1
