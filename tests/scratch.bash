@@ -42,8 +42,8 @@ auto_run() {
   mlg run "$@"
 }
 
-# value RUN TYPE COLUMN [V]: that column at the run's first point of that type
-# (with that speed), as AUTO wrote it, read without the project's own reader
+# value RUN TYPE COLUMN [V]: that column at the run's first point of that type (with
+# that speed; several columns as one word with blanks between them), as AUTO wrote it, read without the project's own reader
 value() {
   values "$@" | head -n 1
 }
@@ -51,7 +51,8 @@ value() {
 values() { # the same of all such points
   local code
   case $2 in HB) code=3 ;; UZ) code=-4 ;; LP) code=2 ;; TR) code=8 ;; *) return 2 ;; esac
-  awk -v code="$code" -v column="$3" -v V="${4:-}" '
+  awk -v code="$code" -v columns="$3" -v V="${4:-}" '
+    BEGIN { n = split(columns, wanted, " ") }
     $1 == 0 && /PT +TY +LAB/ {
       for (k = 1; k * 19 < length($0); k++) {
         name = substr($0, 1 + 19 * k, 19)
@@ -60,7 +61,8 @@ values() { # the same of all such points
       }
     }
     $1 != 0 && ($3 % 10 == code || (code == 2 && $3 % 10 == 5)) {
-      if (V == "" || ($(place["V"]) - V) ^ 2 < 1e-12) print $place[column]
+      if (V != "" && ($(place["V"]) - V) ^ 2 >= 1e-12) next
+      for (k = 1; k <= n; k++) printf "%s%s", $place[wanted[k]], k < n ? " " : "\n"
     }
   ' "build/runs/$1/b.$1"
 }
