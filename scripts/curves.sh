@@ -52,6 +52,7 @@ curve_rows() { # PREFIX NAME
   local number kind shimmy turns
   while IFS=, read -r number kind shimmy _ _ _ _ _ _ _ _ _ turns; do
     case $number in curve) continue ;; esac
+    # shellcheck disable=SC2086 # a word or none
     mlg curve "$2.$number" prefix="$1$number,$shimmy," extrema="$turns" ${kind/open/} >> "$table.new" || exit $?
   done < "build/tables/$2.curves"
 }
@@ -86,6 +87,7 @@ if [ "${BASH_SOURCE[0]}" = "$0" ]; then
   shift 2
   [ -f "models/$layout.c" ] || fail "curves: there is no models/$layout.c" 2
   check_name "$name"
+  # shellcheck disable=SC2119 # all
   build
   alone "$name"
   MLG_USES=/dev/null

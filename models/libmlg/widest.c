@@ -127,6 +127,11 @@ static int is_same(const struct libmlg_point *p, const struct libmlg_point *q)
                                                            && fabs(p->V - q->V) < 0.01 * (p->V + q->V)));
 }
 
+static int is_bound(const struct libmlg_interval *interval, const struct libmlg_point *p)
+{
+  return fabs(p->c_d / interval->lo.c_d - 1.) < 1e-9 || fabs(p->c_d / interval->hi.c_d - 1.) < 1e-9;
+}
+
 /* Of a region that bounds the interval beside the best one by its end p, lies the other end
  * inside the best one too?  Then it is born there, at *at. */
 static int is_newborn(struct search *s, const struct state *beside, const struct libmlg_point *p,
@@ -139,8 +144,9 @@ static int is_newborn(struct search *s, const struct state *beside, const struct
   s->par[s->k_s] = k_s_of(s, beside->u);
   n = libmlg_boundary_points(s->layout, s->par, s->zeta, s->V_least, s->V_top, point, LIBMLG_MOST_POINTS);
   for (int i = 0; i < n; i++)
-    if (point[i].kind == other && fabs(point[i].omega - p->omega) < 0.03 * p->omega && point[i].c_d >= best->lo.c_d
-        && point[i].c_d <= best->hi.c_d) {
+    if (point[i].kind == other && fabs(point[i].omega / p->omega - 1.) < 3e-3 && fabs(point[i].V / p->V - 1.) < 0.05
+        && fabs(point[i].c_d / p->c_d - 1.) < 0.05 && point[i].c_d >= best->lo.c_d * (1. - 1e-12)
+        && point[i].c_d <= best->hi.c_d && !is_bound(&beside->widest, &point[i])) {
       *at = *p;
       at->c_d = sqrt(p->c_d * point[i].c_d);
       at->V = 0.5 * (p->V + point[i].V);

@@ -42,7 +42,8 @@ to_damping_ratio() { # RUN LAYOUT U ZETA [PARAMETER=VALUE ...]
 # stretch of b with one limit (mlg limits), to where the event that ends it passes zero.
 # It reports the multiples of 10, and the b at which it takes over from another.
 follow_widths() { # LAYOUT [PREFIX]
-  local layout=$1 prefix=${2:-} number from to limit constants event start closing stop step
+  local layout=$1 prefix=${2:-} number from to limit constants event start closing stop end step took_over=''
+  # a run that another one overtakes ends there (RL1) without a row of its own
   mlg limits "$layout" stretches tolerance=1e-5 > "build/tables/stretches.$layout"
   : > "build/tables/widths.$layout"
   while IFS=, read -r number from to limit constants event start; do
@@ -53,13 +54,19 @@ follow_widths() { # LAYOUT [PREFIX]
       *) continue ;;
     esac
     [ -n "$constants" ] || continue
-    stop="'b': $to" step=2.0
-    [ "$event" = b ] || stop="'b': 300.0, '$event': 0.0"
+    stop="'b': $to" end=1e6 step=2.0
+    case $event in
+      b) ;;
+      wider) stop="'b': 300.0" end=$to ;;
+      *) stop="'b': 300.0, '$event': 0.0" ;;
+    esac
     [ "$limit" != stationary ] || step=0.01
     start=${start#\"} start=${start%\"}
     run "$figure.width.$prefix$number" "$constants" model="$layout.boundary" "$start" closing="$closing" b="$from" \
-      DS=0.001 DSMAX="$step" UZSTOP="{$stop, 'width': 100.0}" UZR="{'b': [$(seq -s ', ' 0 10 290), $(printf %.3f "$from")]}" --
+      DS=1e-4 DSMAX="$step" UZSTOP="{$stop, 'width': 100.0}" RL1="$end" UZR="{'b': [$(seq -s ', ' 0 10 290)${took_over:+, $took_over}]}" --
     echo "$figure.width.$prefix$number" >> "build/tables/widths.$layout"
+    took_over=''
+    [ "$event" != wider ] || took_over=$(awk "BEGIN { printf \"%.3f\", $to + 5e-4 }")
   done < "build/tables/stretches.$layout"
 }
 

@@ -19,6 +19,7 @@ trap '[ $BASHPID != $$ ] || fail "${BASH_SOURCE[0]}:$LINENO: failed: ${BASH_COMM
 
 # The models and mlg, built when they are not up to date.  Under make they are, and
 # asking again would only cost time.
+# shellcheck disable=SC2120 # some scripts do
 build() { # [TARGET]
   [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent "${1:-models}" || exit 1
   export MLG_BUILT=yes
@@ -160,6 +161,7 @@ main() { # FIGURE [runs [PART...] | tables | draw]
   for part in "${@:3}"; do
     case " ${parts[*]} " in *" $part "*) ;; *) fail "$figure: no runs '$part'; there are ${parts[*]}" 2 ;; esac
   done
+  # shellcheck disable=SC2119 # all
   build
   # parts of one figure may run side by side, its tables and its picture not
   if [ "$step" = runs ]; then mkdir -p build/tables build/stamps results; else alone "$figure"; fi

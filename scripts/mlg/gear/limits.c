@@ -84,6 +84,25 @@ static void add_to(struct job *j, const struct node *a, const struct node *b, do
   j->first[j->n - 1] = 1;
 }
 
+/* Right beside an event rounding may name the limit now so, now so: stretches of less than a
+ * thousandth of a step go. */
+static void drop_slivers(struct job *j, double least)
+{
+  int kept = 0;
+
+  for (int i = 0, last; i < j->n; i = last + 1) {
+    for (last = i; last + 1 < j->n && !j->first[last + 1]; last++)
+      ;
+    if (last + 1 < j->n && i > 0 && j->node[last + 1].b - j->node[i].b < least)
+      continue;
+    for (int k = i; k <= last; k++) {
+      j->first[kept] = k == i && !(kept > 0 && goes_on(&j->node[kept - 1].w, &j->node[k].w));
+      j->node[kept++] = j->node[k];
+    }
+  }
+  j->n = kept;
+}
+
 static void find_nodes(struct job *j, double from, double to, double step, double tolerance)
 {
   const int steps = (int)floor((to - from) / step + 1e-9);
@@ -98,6 +117,7 @@ static void find_nodes(struct job *j, double from, double to, double step, doubl
       add_node(j, &next);
     last = next;
   }
+  drop_slivers(j, 1e-3 * step);
 }
 
 /* --- the table ------------------------------------------------------------------------ */
@@ -121,10 +141,10 @@ static void print_table(const struct job *j)
 /* --- stretches as runs of AUTO --------------------------------------------------------- */
 
 /* The boundary point, other than lo and hi, that is most like p. */
-static struct libmlg_point most_like(struct job *j, const struct node *node, const struct libmlg_point *p, double nearer)
+static struct libmlg_point most_like(struct job *j, const struct node *node, const struct libmlg_point *p)
 {
   struct libmlg_point point[LIBMLG_MOST_POINTS], best = node->w.interval.lo;
-  double least = nearer;
+  double least = HUGE_VAL;
 
   j->a.par[NUMBER_B] = node->b;
   j->a.par[NUMBER_K_S] = node->w.k_s;
@@ -139,6 +159,25 @@ static struct libmlg_point most_like(struct job *j, const struct node *node, con
       best = point[i];
     }
   }
+  return best;
+}
+
+/* The top of the next region below the interval: who may take over from lo. */
+static struct libmlg_point below(struct job *j, const struct node *node)
+{
+  const struct libmlg_point *lo = &node->w.interval.lo;
+  struct libmlg_point point[LIBMLG_MOST_POINTS], best = *lo;
+  double highest = 0.;
+
+  j->a.par[NUMBER_B] = node->b;
+  j->a.par[NUMBER_K_S] = node->w.k_s;
+  const int n = checked(j->command, libmlg_boundary_points(j->a.layout, j->a.par, 0., 0., j->a.V_top, point, LIBMLG_MOST_POINTS));
+
+  for (int i = 0; i < n; i++)
+    if (point[i].kind == lo->kind && point[i].c_d < lo->c_d * (1. + 1e-6) && point[i].c_d > highest && !is_near(&point[i], lo)) {
+      highest = point[i].c_d;
+      best = point[i];
+    }
   return best;
 }
 
@@ -172,7 +211,7 @@ static void print_stretch(struct job *j, int number, int first, int last)
 {
   const struct node *node = &j->node[first], *end = &j->node[last];
   const struct libmlg_widest *w = &node->w, *next = last + 1 < j->n ? &j->node[last + 1].w : NULL;
-  const char *event = next ? event_between(&end->w, next) : NULL;
+  const char *event = next ? event_between(&end->w, next) : "b";
   const int with_rival = event && strcmp(event, "rival") == 0;
   struct libmlg_point lo = w->interval.lo, third = w->third;
   int i = 1;
@@ -190,17 +229,17 @@ static void print_stretch(struct job *j, int number, int first, int last)
     third = w->interval.lo;
   }
   if (w->limit == LIBMLG_STATIONARY)
-    third = most_like(j, node, &lo, HUGE_VAL);
-  printf("%s,%s,\"U={", with_rival ? "boundary.rival" : "boundary.width", event ? event : "b");
+    third = below(j, node);
+  printf("%s,%s,\"U={", with_rival ? "boundary.rival" : "boundary.width", event ? event : "wider");
   i = print_point(i, &third);
   if (with_rival) {
-    const struct libmlg_point rival = most_like(j, node, &next->interval.lo, HUGE_VAL);
+    const struct libmlg_point rival = most_like(j, node, &next->interval.lo);
 
     i = print_point(i, &rival);
   }
   i = print_point(i, &lo);
   print_point(i, &w->interval.hi);
-  printf(", 'kappa': %.12g, 'inert': %.12g}\"\n", 1e5 / w->k_s, node->b / 100.);
+  printf(", 'kappa': %.12g}\"\n", 1e5 / w->k_s);
 }
 
 static void print_stretches(struct job *j)
@@ -263,7 +302,8 @@ const struct command command_limits = {
     "stretches: one row for each stretch with one limit instead, as a run of AUTO:\n"
     "  stretch, b_from, b_to, limit\n"
     "  constants   boundary.width or boundary.rival; empty: AUTO has no condition for it\n"
-    "  event       what passes zero where the stretch ends (models/boundary.h); b: at b_to\n"
+    "  event       what passes zero where the stretch ends (models/boundary.h); wider: at b_to\n"
+    "              another interval becomes the wider; b: at b_to the range ends\n"
     "  U           the unknowns at b_from, as one word for `mlg run`\n",
   .run = run,
 };
