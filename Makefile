@@ -280,8 +280,8 @@ $(benches): build/bench/rhs-%: tests/bench/rhs.c models/%.c build/auto.mk Makefi
 verify: test-programs ## AUTO's values against oracles that do without AUTO
 	@tests/verify.sh
 
-fuzz: build/tests/fuzz ## the constants checker on 10 million random inputs; SEED=2 for others
-	FUZZ=10000000 build/tests/fuzz
+fuzz: build/tests/constants ## the constants checker on 10 million random inputs; SEED=2 for others
+	FUZZ=10000000 build/tests/constants
 
 .PHONY: check-fresh
 check-fresh: ## both commands on bare Debian systems, as root and not; suite=trixie for one
@@ -321,8 +321,8 @@ build/tests/libmlg/gear.o: models/gear.c Makefile
 build/tests/libmlg.a: $(checked_library) build/tests/libmlg/gear.o
 	@$(AR) rcs $@.$$$$ $^ && mv $@.$$$$ $@
 
-build/tests/integrate build/tests/criticality build/tests/fuzz: with = build/tests/libmlg.a $(lapack) $(sundials)
-build/tests/integrate build/tests/criticality build/tests/fuzz: build/tests/libmlg.a
+build/tests/integrate build/tests/criticality: with = build/tests/libmlg.a $(lapack) $(sundials)
+build/tests/integrate build/tests/criticality: build/tests/libmlg.a
 
 $(layout_tests): build/tests/layout-%: tests/test_layout.c models/%.c build/tests/libmlg.a build/auto.mk Makefile
 	@mkdir -p $(@D)

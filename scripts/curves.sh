@@ -13,6 +13,13 @@
 # Expect: the number of curves and of closed ones.  An extremum that AUTO's curves lack,
 #         or have beside those of mlg curves, ends with one line.
 
+# A short straight run across a Hopf point at the speed V, which finds it as HB1.
+hopf_start() { # NAME LAYOUT V [PARAMETER=VALUE ...]
+  local from to
+  read -r from to < <(awk -v V="$3" 'BEGIN { printf "%.12g %.12g\n", V - 0.001, V + 0.001 }')
+  run "$1" "$2.straight" "${@:4}" V="$from" DS=0.00025 DSMAX=0.00025 UZSTOP="{'V': $to}" -- HB=1 UZ=1 > /dev/null
+}
+
 # hopf_curves LAYOUT NAME [WORD ...]
 # A curve takes two runs: a short straight one across its starting point, which
 # finds the Hopf point there, then the curve, from edge to edge or once round.
@@ -45,6 +52,7 @@ curve_rows() { # PREFIX NAME
   local number kind shimmy turns
   while IFS=, read -r number kind shimmy _ _ _ _ _ _ _ _ _ turns; do
     case $number in curve) continue ;; esac
+    # shellcheck disable=SC2086 # a word or none
     mlg curve "$2.$number" prefix="$1$number,$shimmy," extrema="$turns" ${kind/open/} >> "$table.new" || exit $?
   done < "build/tables/$2.curves"
 }
@@ -79,6 +87,7 @@ if [ "${BASH_SOURCE[0]}" = "$0" ]; then
   shift 2
   [ -f "models/$layout.c" ] || fail "curves: there is no models/$layout.c" 2
   check_name "$name"
+  # shellcheck disable=SC2119 # all
   build
   alone "$name"
   MLG_USES=/dev/null

@@ -31,6 +31,7 @@ runs_c() {
 
 tables() {
   local panel branch
+  local -A branches=([a]="psi delta" [b]=delta [c]=psi)
   begin_table results/fig06.csv \
     "# Figure 6. panel: a c_d = 3.6e4, b 5e3, c 2e3 N m s/rad; V m/s; psi_max deg; dstar_max m;" \
     "# stable: 1 yes, 0 no (a bifurcation point: 1); type: HB Hopf, TR torus" \
@@ -38,8 +39,7 @@ tables() {
   for panel in a b c; do
     points 6,l1 "fig06.$panel.straight"
     branch_rows "$panel" straight every=50
-    for branch in psi delta; do
-      [ -d "build/runs/fig06.$panel.$branch" ] || continue
+    for branch in ${branches[$panel]}; do
       [ "$(mlg shimmy "fig06.$panel.$branch")" = "$branch" ] || fail "fig06.$panel.$branch is no $branch-shimmy"
       points 6,l1 "fig06.$panel.$branch"
       branch_rows "$panel" "$branch" ends

@@ -41,13 +41,17 @@ runs_torus_psi_down() { torus_runs psi down; }
 runs_torus_delta() { torus_runs delta up down; }
 
 tables() {
+  local psi delta low
+  psi=$(mlg shimmy fig06.a.psi)
+  delta=$(mlg shimmy fig06.a.delta)
+  low=$(mlg shimmy fig06.c.psi)
   begin_table results/fig07.csv \
     "# Figure 7. curve; shimmy: what the region bounded by a Hopf curve shows, psi or delta; V m/s;" \
     "# c_d N m s/rad; type: HH double Hopf, LP boundary point. A curve runs from edge to edge, or HH to HH." \
     curve,shimmy,type,V,c_d
-  curve "psi,$(mlg shimmy fig06.a.psi)" fig07.psi every=3
-  curve "delta,$(mlg shimmy fig06.a.delta)" fig07.delta every=3
-  curve "low,$(mlg shimmy fig06.c.psi)" fig07.low every=3
+  curve "psi,$psi" fig07.psi every=3
+  curve "delta,$delta" fig07.delta every=3
+  curve "low,$low" fig07.low every=3
   torus_curve torus_psi
   torus_curve torus_delta
   end_table

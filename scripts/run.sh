@@ -8,5 +8,6 @@
 # Writes: build/runs/NAME, on standard output the time taken and the points found
 # Exit:   0, 1 the run failed, 2 bad input
 . "$(dirname "$(realpath "$0")")/auto/lib.sh"
+# shellcheck disable=SC2119
 build
 exec build/bin/mlg run "$@"

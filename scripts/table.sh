@@ -15,5 +15,6 @@
 #
 # Exit: 0, or 2 with one line: no such run, no such solution (and which there are)
 . "$(dirname "$(realpath "$0")")/auto/lib.sh"
+# shellcheck disable=SC2119
 build
 exec build/bin/mlg table "$@"

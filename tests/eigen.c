@@ -6,7 +6,10 @@
 #include LAYOUT
 
 #include "eigen.h"
-#include "arguments.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
 
 /* plugin.h asks AUTO for these; func() does not. */
 doublereal getp(const char *code, integer ic, const doublereal *u)
@@ -39,6 +42,37 @@ static const char usage[] =
   "                                   number of unstable pairs on a grid, as CSV\n"
   "Other names are those of the parameters (models/mlg.h), in SI units.\n";
 
+static _Noreturn void refuse(const char *word, const char *right)
+{
+  fprintf(stderr, "eigen: '%s': %s\n", word, right);
+  exit(2);
+}
+
+/* The number behind the = of word. */
+static double number_of(const char *word)
+{
+  const char *equals = strchr(word, '=');
+  char *end = NULL;
+  const double value = equals ? strtod(equals + 1, &end) : 0.;
+
+  if (!equals || end == equals + 1 || *end != '\0' || !isfinite(value))
+    refuse(word, "expected NAME=NUMBER");
+  return value;
+}
+
+/* Sets the parameter that word names and returns its slot. */
+static int set_parameter(double par[], const char *word)
+{
+  const struct mlg_parameter *p = mlg_find(word, strcspn(word, "="));
+
+  if (p == NULL)
+    refuse(word, "no such parameter (see models/mlg.h)");
+  par[p->slot] = number_of(word);
+  if (!mlg_in_range(p, par[p->slot]))
+    refuse(word, "outside its range");
+  return p->slot;
+}
+
 /* What a command takes besides parameters. */
 struct option { const char *name; double value; bool given; };
 
@@ -56,15 +90,13 @@ static void read_arguments(int n, char **argument, double par[], bool given[],
       const struct mlg_parameter *which = mlg_find(argument[i] + 5, strlen(argument[i] + 5));
 
       if (which == NULL)
-        refuse("eigen", argument[i], "no such parameter (see models/mlg.h)");
+        refuse(argument[i], "no such parameter (see models/mlg.h)");
       *free_slot = which->slot;
     } else if (o->name != NULL) {
-      size_t same;
-
-      o->value = number_of("eigen", argument[i], &same);
+      o->value = number_of(argument[i]);
       o->given = true;
     } else {
-      given[set_parameter("eigen", par, argument[i])] = true;
+      given[set_parameter(par, argument[i])] = true;
     }
   }
 }
@@ -81,7 +113,7 @@ static const char *name_of(int slot)
 static void want(const bool given[], int slot, bool guess)
 {
   if (given[slot] != guess)
-    refuse("eigen", name_of(slot), guess ? "a guess is wanted, name=value" : "this command sets it itself");
+    refuse(name_of(slot), guess ? "a guess is wanted, name=value" : "this command sets it itself");
 }
 
 static int print_eigenvalues(int n, char **argument)
@@ -114,14 +146,14 @@ static int print_boundary(int n, char **argument)
   mlg_defaults(par);
   read_arguments(n, argument, par, given, option, &slot);
   if (slot < 0 || !option[FROM].given || !option[TO].given)
-    refuse("eigen", "boundary", "free=NAME, from= and to= are wanted");
+    refuse("boundary", "free=NAME, from= and to= are wanted");
   want(given, slot, false);
   if (!(option[TO].value > option[FROM].value))
-    refuse("eigen", "boundary", "to= has to be above from=");
+    refuse("boundary", "to= has to be above from=");
   if (!option[STEP].given)
     option[STEP].value = (option[TO].value - option[FROM].value) / 400.;
   if (!(option[STEP].value >= 1e-6 * (option[TO].value - option[FROM].value)))
-    refuse("eigen", "step", "it has to be above a millionth of the range");
+    refuse("step", "it has to be above a millionth of the range");
 
   const int found = eigen_crossings(par, slot, option[FROM].value, option[TO].value,
                                     option[STEP].value, crossing, ROOM);
@@ -146,7 +178,7 @@ static int print_point(enum eigen_condition condition, int n, char **argument)
   mlg_defaults(par);
   read_arguments(n, argument, par, given, option, unknowns == 3 ? &slot[2] : NULL);
   if (unknowns == 3 && slot[2] < 0)
-    refuse("eigen", "centre", "free=NAME is wanted");
+    refuse("centre", "free=NAME is wanted");
   for (int i = 0; i < unknowns; i++)
     want(given, slot[i], true);
   const double change = eigen_refine(condition, par, slot);
@@ -187,7 +219,7 @@ static int print_intervals(int n, char **argument)
   if (!(option[V_LO].value >= 0. && option[V_HI].value > option[V_LO].value && option[STEP].value >= 1e-4
         && option[C_D_LO].value > 0. && option[C_D_HI].value > option[C_D_LO].value
         && option[C_D_STEPS].value >= 2. && option[C_D_STEPS].value <= 1e6))
-    refuse("eigen", "interval", "0 <= V_lo < V_hi, step >= 1e-4, 0 < c_d_lo < c_d_hi and c_d_steps >= 2 are wanted");
+    refuse("interval", "0 <= V_lo < V_hi, step >= 1e-4, 0 < c_d_lo < c_d_hi and c_d_steps >= 2 are wanted");
   const struct eigen_scan scan = { option[V_LO].value, option[V_HI].value, option[STEP].value,
                                    option[C_D_LO].value, option[C_D_HI].value,
                                    (int)option[C_D_STEPS].value };
@@ -222,7 +254,7 @@ static int print_map(int n, char **argument)
   if (!(option[V_LO].value >= 0. && option[V_HI].value > option[V_LO].value && option[C_D_LO].value >= 0.
         && option[C_D_HI].value > option[C_D_LO].value && option[V_N].value >= 2. && option[V_N].value <= 1e5
         && option[C_D_N].value >= 2. && option[C_D_N].value <= 1e5))
-    refuse("eigen", "map", "0 <= V_lo < V_hi, 0 <= c_d_lo < c_d_hi and 2 <= V_n, c_d_n <= 1e5 are wanted");
+    refuse("map", "0 <= V_lo < V_hi, 0 <= c_d_lo < c_d_hi and 2 <= V_n, c_d_n <= 1e5 are wanted");
   const int V_n = (int)option[V_N].value, c_d_n = (int)option[C_D_N].value;
 
   printf("V,c_d,unstable_pairs\n");
@@ -305,5 +337,9 @@ int main(int argc, char **argv)
     fprintf(stderr, usage, argv[0]);
     return 2;
   }
-  return output_status("eigen") ? 1 : status;
+  if (fflush(stdout) != 0 || ferror(stdout)) {
+    fprintf(stderr, "eigen: cannot write the output: %s\n", strerror(errno));
+    return 1;
+  }
+  return status;
 }

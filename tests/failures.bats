@@ -137,31 +137,25 @@ fails() {
   auto_run ends l1.straight c_d=1e9 k_s=1e30 -- HB=4
 }
 
-@test "values outside their range on the command lines of scan and curves" {
-  local program
-  for program in 'scan-l1 points' 'scan-l1 intervals' curves-l1; do
-    # shellcheck disable=SC2086 # a program and its command
-    {
-      refuses "*: 'c_psi=-1': outside its range, 0 to 1e+09 N m s/rad" build/bin/$program c_psi=-1
-      refuses "*: 'k_psi=0': outside its range, 1 to 1e+12 N m/rad" build/bin/$program k_psi=0
-      refuses "*: 'compliance=-1': outside its range, 0 to 100000 1e-5 rad/(N m)" build/bin/$program compliance=-1
-      refuses "*: 'R=nan': expected NAME=NUMBER" build/bin/$program R=nan
-      refuses "*: 'R': expected NAME=NUMBER" build/bin/$program R
-      refuses "*: 'c_q=1': no such parameter*" build/bin/$program c_q=1
-      refuses "*: 'V=20': V and c_d are the axes; give other parameters" build/bin/$program V=20
-      refuses "*: 'c_d=1e3': V and c_d are the axes; give other parameters" build/bin/$program k_s=1e6 c_d=1e3
-    }
+@test "values outside their range on the command lines of the commands that look over the plane" {
+  local command
+  for command in boundary intervals regions widest limits curves; do
+    refuses "mlg $command: 'c_psi=-1': outside its range, 0 to 1e+09 N m s/rad" mlg $command li1 c_psi=-1
+    refuses "mlg $command: 'k_psi=0': outside its range, 1 to 1e+12 N m/rad" mlg $command li1 k_psi=0
+    refuses "mlg $command: 'compliance=-1': outside its range, 0 to 100000 1e-5 rad/(N m)" mlg $command li1 compliance=-1
+    refuses "mlg $command: 'R=nan': expected NAME=NUMBER" mlg $command li1 R=nan
+    refuses "mlg $command: 'R': expected NAME=NUMBER" mlg $command li1 R
+    refuses "mlg $command: 'c_q=1': no such parameter*" mlg $command li1 c_q=1
+    refuses "mlg $command: 'V=20': *" mlg $command li1 V=20
+    refuses "mlg $command: 'c_d=1e3': *" mlg $command li1 c_d=1e3
   done
-  refuses "scan: 'V=20': *" build/bin/scan-l1 check 2800 3000 V=20
-  refuses 'usage: scan *' build/bin/scan-l1 check 1e3 many
-  refuses "curves: 'c_d=1e3': *" scripts/curves.sh l1 a c_d=1e3
+  refuses "mlg curves: 'c_d=1e3': *" scripts/curves.sh l1 a c_d=1e3
 }
 
 @test "a result taken for a parameter" {
-  refuses '*c.l1.straight*: PAR: F_z is a result (static load (M + m_D) g); it cannot be set' auto_run a l1.straight F_z=1e5 --
+  refuses '*c.l1.straight*: PAR: psi_max is a result (maximum of psi over the period); it cannot be set' auto_run a l1.straight psi_max=3 --
   refuses "*c.l1.straight*: ICP: F_z is a result *; it cannot be continued" auto_run a l1.straight ICP="['F_z', 'V']" --
   refuses "*c.l1.hopf*: ICP: psi_max is a result *; it cannot be continued" auto_run a l1.hopf from=straight ICP="['V', 'psi_max']" --
-  refuses "*c.l1.straight*: PAR: F_z is a result *" auto_run a l1.straight PAR="{36: 1e5}" --
 }
 
 @test "a parameter given by its slot" {
@@ -179,26 +173,20 @@ fails() {
 }
 
 @test "values with which AUTO never ends" {
-  refuses '*c.l1.straight: ITNW = 0 is outside its range, 1 to 1000' auto_run a l1.straight ITNW=0 --
-  refuses '*c.l1.periodic: NCOL = 8 is outside its range, 2 to 7' auto_run a l1.periodic from=straight NCOL=8 --
-  refuses '*c.l1.periodic: NCOL = 1 is outside its range, 2 to 7' auto_run a l1.periodic from=straight NCOL=1 --
-  refuses '*c.l1.periodic: DSMAX = 0 is outside its range, 1e-12 to 1e+09' auto_run a l1.periodic from=straight DSMAX=0 --
-  refuses_file "$(line NMX)" 'NMX = -5 is outside its range, 0 to 1e+08' '/^NMX/s/5000/-5/'
+  refuses '*c.l1.straight: ITNW = 0 is outside what AUTO can do, 1 to 999' auto_run a l1.straight ITNW=0 --
+  refuses '*c.l1.periodic: NCOL = 8 is outside what AUTO can do, 2 to 7' auto_run a l1.periodic from=straight NCOL=8 --
+  refuses '*c.l1.periodic: NCOL = 1 is outside what AUTO can do, 2 to 7' auto_run a l1.periodic from=straight NCOL=1 --
+  refuses '*c.l1.periodic: DSMAX = 0 has to be above 0' auto_run a l1.periodic from=straight DSMAX=0 --
+  refuses_file "$(line NMX)" 'NMX = -5 is outside what AUTO can do, 0 to 99999' '/^NMX/s/5000/-5/'
 }
 
 @test "names that are none" {
   local name
   for name in "it's" a/b 'a b' .a -a ''; do
-    refuses "the name '$name': letters, digits, dot, _ and - only, and neither dot nor - first" auto_run "$name" l1.straight -- HB=4
+    refuses "run: NAME '$name': letters, digits, . _ - and +, a letter or a digit first, at most 100" auto_run "$name" l1.straight -- HB=4
     refuses "the name '$name': *" scripts/curves.sh l1 "$name"
   done
-  [ ! -e build/runs/a ]
-}
-
-@test "a run that meets its limit of time or of size says which" {
-  MLG_TIME_LIMIT=1 fails 'met the limit of time, 1 s of processor time; MLG_TIME_LIMIT gives another' long l1.straight DSMAX=1e-6 NMX=10000000 --
-  MLG_SIZE_LIMIT=1 fails 'met the limit of size, 1 MB in one file; MLG_SIZE_LIMIT gives another' long l1.straight -- HB=4
-  MLG_TIME_LIMIT=soon refuses 'MLG_TIME_LIMIT=soon: expected a whole number, 1 to 999999' auto_run long l1.straight -- HB=4
+  [ -z "$(find build/runs -name "*'*" -o -name '* *')" ]
 }
 
 @test "words that are no settings" {
@@ -239,7 +227,7 @@ fails() {
 }
 
 @test "a Hopf point in the first step, where AUTO does not look" {
-  fails '7 stable eigenvalues become 5 without a label between V = 1.34*(try another start)*' first l1.straight V=13.4 -- HB=3
+  fails '7 stable eigenvalues become 5 without a label between V = 13.4 *(try another start)*' first l1.straight V=13.4 -- HB=3
 }
 
 @test "points missing or too many" {
@@ -256,11 +244,11 @@ fails() {
 
 @test "a run to start from, and IRS = 0, which starts anew" {
   local why="a: from=straight starts anew because IRS = 0 in *; say which solution, as IRS=\"'HB1'\""
-  refuses "${why/\*/constants/c.l2.straight}" auto_run a l2.straight from=straight --
+  refuses "${why/\*/constants/c.l1.straight}" auto_run a l1.straight from=straight --
   refuses "${why/\*/constants/c.l1.periodic}" auto_run a l1.periodic from=straight IRS=0 --
   mkdir -p build/tmp
-  grep -v '^IRS' build/constants/c.li3.hopf >build/tmp/c.li3.none # 0 is AUTO's default
-  refuses "${why/\*/build/tmp/c.li3.none}" auto_run a build/tmp/c.li3.none from=straight --
+  sed "s/ IRS = 'HB1',//" constants/c.l1.hopf >build/tmp/c.l1.none # 0 is AUTO's default
+  refuses "${why/\*/build/tmp/c.l1.none}" auto_run a build/tmp/c.l1.none from=straight --
   [ ! -e build/runs/a ]
 }
 
@@ -271,25 +259,26 @@ fails() {
 
 # judge SED: judges the psi branch with its b. file changed
 judge() {
-  cp build/runs/psi/d.psi d.run
-  sed -E "$1" build/runs/psi/b.psi >b.run
-  awk -v expect="${2:-TR=1 closed=1}" -f scripts/auto.awk -f scripts/judge.awk d.run b.run
+  mkdir -p changed
+  cp build/runs/psi/[ds].psi changed
+  sed -E "$1" build/runs/psi/b.psi >changed/b.psi
+  mlg judge changed/psi -- TR=1 closed=1
 }
 
 @test "the judge passes a good run and finds what is wrong with others" {
   run -0 judge ''
   [ "$output" = 'TR 30.7865 closed' ]
-  run -0 judge '30s/[0-9.]+E[-+][0-9]+/NaN/3'
-  [[ $output == *'FAIL not-a-number'* ]]
+  run -1 judge '30s/[0-9.]+E[-+][0-9]+/NaN/3'
+  [[ $output == *'no number in one of the columns'* ]]
   # the label of the torus point taken away
-  run -0 judge 's/^( +-?[0-9]+ +-?[0-9]+ +)8 /\10 /'
-  [[ $output == *'FAIL 7 stable eigenvalues become 5 without a label between V = 3'* ]]
-  [[ $output == *'FAIL expected 1 TR, found 0'* ]]
+  run -1 judge 's/^( +-?[0-9]+ +-?[0-9]+ +)8 /\10 /'
+  [[ $output == *'7 stable multipliers become 5 without a label between V = 3'* ]]
+  [[ $output == *'expected 1 TR, found 0'* ]]
   # shellcheck disable=SC2016 # sed's last line
-  run -0 judge '55,$d'
-  [[ $output == *'FAIL AUTO broke off at V = '* ]]
-  run -0 judge '/^ +[1-9-]/d'
-  [[ $output == *'FAIL AUTO computed no solution'* ]]
+  run -1 judge '55,$d'
+  [[ $output == *'AUTO broke off at V = '* ]]
+  run -1 judge '/^ +[1-9-]/d'
+  [[ $output == *'AUTO computed no solution'* ]]
 }
 
 @test "AUTO that stops with a status of its own" {
@@ -331,16 +320,16 @@ full() {
   cp "$ROOT"/results/*.csv results
   sha256sum results/* build/tables/*.csv >kept.sums
   for kb in 2 8 32; do
-    rm -f build/tables/*.made
+    rm -f build/stamps/*
     run -1 full $kb scripts/fig06.sh draw
     [ "$output" = "fig06: gnuplot wrote half a picture, results/fig06.png or .svg (is the disk full?); those before are kept" ]
     sha256sum --check --quiet kept.sums
   done
-  for step in 'fig06.sh tables' collect.sh targets.sh summary.sh; do
-    rm -f build/tables/*.made
+  for step in 'fig06.sh tables' report/collect.sh report/targets.sh report/summary.sh; do
+    rm -f build/stamps/*
     # shellcheck disable=SC2086 # a script and its argument
     run -1 full 1 scripts/$step
-    [[ $output == *'File too large'*$'\n'*'lib.sh:'*': failed: '* || $output == *'File too large'*$'\n'*"${step% *}:"*': failed: '* ]]
+    [[ $output == *': cannot write the output: File too large' || $output == *'File too large'*$'\n'*"${step% *}:"*': failed: '* ]]
     sha256sum --check --quiet kept.sums
   done
   # and with room again all is as before
@@ -356,12 +345,12 @@ full() {
   refuses 'fig07: there is no results/fig07.csv to draw; scripts/fig07.sh tables makes it' scripts/fig07.sh draw
 }
 
-@test "the programs say that they cannot write" {
+@test "commands say that they cannot write" {
   local program
-  for program in 'scan-l1 intervals' curves-l1 'constants constants/c.l1.straight'; do
+  for program in 'intervals l1' 'curves l1' 'boundary l1' 'regions l2' 'constants constants/c.l1.straight' 'table psi' 'rows psi columns=V' 'points psi' 'judge psi'; do
     # shellcheck disable=SC2086 # a program and its arguments
-    run -1 bash -c "build/bin/$program >/dev/full"
-    [ "$output" = "$(cut -d - -f 1 <<<"${program%% *}"): cannot write the output: No space left on device" ]
+    run -1 bash -c "build/bin/mlg $program >/dev/full"
+    [ "$output" = "mlg ${program%% *}: cannot write the output: No space left on device" ]
   done
 }
 
@@ -416,14 +405,14 @@ begin() {
 
 # A run to be stopped takes minutes: a short one may be over before the signal is there
 # on a busy machine, and bash goes on where its command had ended by itself.
-readonly minutes=(DSMAX=1e-6 NMX=10000000)
+readonly minutes=(DSMAX=1e-6 NMX=99999)
 
 @test "a run stopped by Ctrl-C, or killed, and started again" {
   local signal pid
   for signal in INT KILL; do
     rm -rf build/runs/stopped.* build/tables/*
     # shellcheck disable=SC2016 # for that shell
-    begin stopped.psi bash -c '. scripts/lib.sh
+    begin stopped.psi bash -c '. scripts/auto/lib.sh
       run stopped.straight l1.straight -- HB=4
       run stopped.psi l1.periodic from=stopped.straight "$@" --' bash "${minutes[@]}"
     kill -$signal -- -$pid
@@ -441,7 +430,7 @@ readonly minutes=(DSMAX=1e-6 NMX=10000000)
 @test "a script that is ended takes its AUTO with it" {
   local signal pid auto
   for signal in TERM HUP KILL; do
-    begin stopped.alone scripts/run.sh stopped.alone l1.straight "${minutes[@]}" --
+    begin stopped.alone scripts/run.sh stopped.alone l1.periodic from=straight "${minutes[@]}" --
     auto=$(find /proc -maxdepth 2 -path '/proc/[0-9]*/exe' -lname "$SCRATCH/build/models/l1.exe" 2>/dev/null) || true
     [ -e "$auto" ]
     kill -$signal $pid
@@ -466,17 +455,18 @@ readonly minutes=(DSMAX=1e-6 NMX=10000000)
 }
 
 @test "two makes at once in one tree; a header that changed" {
-  local pid made=(build/bin/constants build/bin/scan-l1)
-  rm "${made[@]}"
+  local pid made=(build/bin/mlg build/models/l1.exe)
+  objects
+  rm "${made[@]}" build/mlg/auto/text.o build/models/l1.o
   made_by_make --silent "${made[@]}" >one 2>&1 3>&- &
   pid=$!
   made_by_make --silent "${made[@]}"
   wait $pid
-  [ -z "$(find build/bin -name '*.[0-9]*')" ]
-  touch models/mlg.h
+  [ -z "$(find build/bin build/models -name '*.[0-9]*')" ]
+  touch scripts/mlg/auto/progress.h models/plugin.h
   made_by_make --silent "${made[@]}"
-  [ build/bin/constants -nt models/mlg.h ]
-  [ build/bin/scan-l1 -nt models/mlg.h ]
+  [ build/bin/mlg -nt scripts/mlg/auto/progress.h ]
+  [ build/models/l1.exe -nt models/plugin.h ]
 }
 
 @test "a checkout under a path with blanks" {
@@ -484,8 +474,8 @@ readonly minutes=(DSMAX=1e-6 NMX=10000000)
   cp -r scripts models constants 'a b'
   mkdir -p 'a b/build/models' 'a b/build/bin'
   cp build/models/l1.exe 'a b/build/models'
-  cp build/bin/constants 'a b/build/bin'
-  (cd / && bash -c '. "$1/scripts/lib.sh"; run slice l1.straight -- HB=4' run "$SCRATCH/a b")
+  cp build/bin/mlg 'a b/build/bin'
+  (cd / && "$SCRATCH/a b/scripts/run.sh" slice l1.straight -- HB=4)
   [ -e 'a b/build/runs/slice/stamp' ]
 }
 
@@ -515,7 +505,7 @@ readonly minutes=(DSMAX=1e-6 NMX=10000000)
   cp "$ROOT"/results/*.csv results
   rm results/fig07.csv
   sha256sum results/*.csv >kept.sums
-  run ! scripts/targets.sh
+  run ! scripts/report/targets.sh
   sha256sum --check --quiet kept.sums
 }
 
@@ -523,19 +513,18 @@ readonly minutes=(DSMAX=1e-6 NMX=10000000)
   local tables=(results/special_points.csv results/fig06.csv results/fig07.csv tests/targets.csv)
   mkdir -p results
   cp "$ROOT"/results/*.csv results
-  awk -f scripts/targets.awk "${tables[@]}" >met
+  awk -f scripts/report/targets.awk "${tables[@]}" >met
   grep -q '^V-H1,.*,yes$' met
   sed -i 's/13\.4307[0-9]*/13.45/' results/special_points.csv
-  awk -f scripts/targets.awk "${tables[@]}" >missed
+  awk -f scripts/report/targets.awk "${tables[@]}" >missed
   [ "$(diff met missed | grep '^>')" = "$(grep '^V-H1,.*,13.45,.*,no$' missed | sed 's/^/> /')" ]
 }
 
 ## Models
 
 @test "a model that does not compile stops a script, and no old one runs" {
-  made_by_make --silent models
   sed -i 's/T_d = par/T_d = pra/' models/l1.c
-  run ! env -u MLG_BUILT scripts/fig06.sh runs c
+  run ! env -u MLG_BUILT MLG_SET_UP=yes scripts/fig06.sh runs c
   [[ $output == *pra* ]]
   [ ! -e build/runs/fig06.c.straight/stamp ] || [ -e all ]
   cp "$ROOT/models/l1.c" models

@@ -17,7 +17,7 @@
 # Writes  build/fresh, 2 GB for a suite, which stays for the next time
 # Exit    0 all passed or skipped, 1 something failed
 set -euo pipefail
-. "$(dirname "$(realpath "$0")")/../scripts/tools.sh"
+. "$(dirname "$(realpath "$0")")/../scripts/auto/tools.sh"
 
 readonly fresh=$PWD/build/fresh
 

@@ -12,7 +12,7 @@ load scratch
 setup_file() {
   scratch layouts
   cp -rp "$ROOT"/{docs,tests} .
-  cp -rp "$ROOT"/build/{models,lib,bin} build
+  objects
 }
 
 setup() {
@@ -23,7 +23,7 @@ setup() {
   local file layout
   for file in constants/c.l*; do
     layout=${file#*c.}
-    diff <(build/bin/constants "$file" layout="${layout%%.*}") <(build/bin/constants "$file")
+    diff <(build/bin/mlg constants "$file" layout="${layout%%.*}") <(build/bin/mlg constants "$file")
   done
 }
 
@@ -31,8 +31,8 @@ setup() {
   local layout constants
   for layout in li1 li2; do
     for constants in straight hopf; do
-      diff <(build/bin/constants constants/c.l2.$constants layout=$layout | grep -v '^PAR ') \
-        <(build/bin/constants constants/c.$layout.$constants | grep -v '^PAR ')
+      diff <(build/bin/mlg constants constants/c.l2.$constants layout=$layout | grep -v '^PAR ') \
+        <(build/bin/mlg constants constants/c.$layout.$constants | grep -v '^PAR ')
     done
   done
 }
@@ -45,9 +45,9 @@ setup() {
 }
 
 @test "a layout that is none" {
-  run -2 build/bin/constants constants/c.l1.straight layout=l9
+  run -2 build/bin/mlg constants constants/c.l1.straight layout=l9
   [ "$output" = "constants/c.l1.straight: layout=l9: there is no models/l9.c" ]
-  run -2 build/bin/constants constants/gear.printed layout=l1
+  run -2 build/bin/mlg constants constants/gear.printed layout=l1
   [ "$output" = "constants/gear.printed: expected NDIM, the number of states of a layout" ]
 }
 
@@ -70,7 +70,7 @@ as_written() {
   case $AUTO_DIR in /*) export AUTO_DIR ;; *) unset AUTO_DIR ;; esac
   as_written 'cp docs/examples'
   as_written 'make build/tests'
-  as_written 'build/bin/scan-mine' >output
+  as_written 'build/bin/mlg widest' >output
   near "$(awk -F, 'NR == 2 { print $2 }' output)" 1.99e6 2e-3 "k_s of the guide" # is that of the widest interval
   [ "$(grep -c ',LP,' build/tables/plane.csv)" -ge 2 ]
   as_written 'bash'
@@ -105,11 +105,11 @@ numbers() {
   grep '^li[345],' "$1" | tr , '\n' | grep -E '^[0-9.]+(e[+-]?[0-9]+)?$'
 }
 
-@test "scripts/layouts.sh makes the tables of record" {
+@test "scripts/studies/layouts.sh makes the tables of record" {
   local table recorded made
   cp -rp "$ROOT/results" recorded
-  scripts/layouts.sh runs
-  scripts/layouts.sh tables
+  scripts/studies/layouts.sh runs
+  scripts/studies/layouts.sh tables
   for table in layouts layouts_planes layouts_branches widths; do
     recorded=recorded/$table.csv made=results/$table.csv
     [ "$table" != widths ] || made=build/tables/widths.layouts.csv

@@ -67,5 +67,5 @@ eps rad 0.184229199" ] # k_psi psi / c_d, psi = pi/180
 
 @test "the library exports what its header declares, and nothing else" {
   diff <(nm -D --defined-only build/lib/libmlg.so | awk '{ print $3 }' | sort) \
-    <(grep -o 'libmlg_[a-z_]*(' models/libmlg/libmlg.h | grep -v '_outside does' | tr -d '(' | sort -u)
+    <(grep -o 'libmlg_[A-Za-z_]*(' models/libmlg/libmlg.h | grep -v '_outside does' | tr -d '(' | sort -u)
 }

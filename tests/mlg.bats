@@ -14,10 +14,6 @@ setup() {
   cd "$SCRATCH" || return
 }
 
-mlg() {
-  build/bin/mlg "$@"
-}
-
 # refuses LINE WORD...: that line, on standard error alone, and status 2
 refuses() {
   run -2 --separate-stderr mlg "${@:2}"
@@ -28,20 +24,20 @@ refuses() {
 }
 
 commands() {
-  sed -n 's/^const struct command command_\([a-z_]*\) = {$/\1/p' scripts/mlg/*.c
+  sed -n 's/^const struct command command_\([a-z_]*\) = {$/\1/p' scripts/mlg/*/*.c
 }
 
 @test "help lists every command and layout, and says of each what it prints" {
   local command
   mlg help >list
   for command in $(commands); do
-    grep -q "^  $command  *[a-z]" list
+    grep -q "^  $command  *[A-Za-z]" list
     mlg help "$command" >one
     [ "$(head -n 1 one | cut -d ' ' -f 1,2)" = "mlg $command" ]
     [ "$(wc -l <one)" -ge 4 ]
     [ "$(awk 'length($0) > 100' one list | wc -l)" -eq 0 ]
   done
-  [ "$(commands | wc -l)" -eq "$(($(grep -c '^  [a-z]' list) - 1))" ] # help itself
+  [ "$(commands | wc -l)" -eq "$(($(grep -c "^  [a-z]" list) - 1))" ] # help itself
   for command in models/l*.c; do
     grep -q "^LAYOUT:.* $(basename "$command" .c)\b" list
   done
@@ -58,7 +54,7 @@ commands() {
 @test "no layout, or one that is none, in every command that has one" {
   local command
   for command in $(commands); do
-    mlg help "$command" | head -n 1 | grep -q LAYOUT || continue
+    mlg help "$command" | head -n 1 | grep -q "^mlg $command LAYOUT" || continue
     refuses "mlg $command: expected a layout; \`mlg help $command\` says more" "$command"
     refuses "mlg $command: 'l9': no such layout; there are l1, l2, li1, li2, li3, li4, li5" "$command" l9
   done

@@ -14,18 +14,18 @@ setup() {
 
 @test "the committed page is that of the committed tables" {
   cp results/README.md committed.md
-  scripts/summary.sh
+  scripts/report/summary.sh
   diff committed.md results/README.md || { echo "make page makes it anew" && false; }
 }
 
 @test "a cell or a picture that is not there ends with one line, and the old page stays" {
   cp results/README.md before.md
   sed -i.kept '/^li2,140,/d' results/widths.csv
-  run -1 scripts/summary.sh
+  run -1 scripts/report/summary.sh
   [[ $output == *"MISSING(results/widths.csv width layout=li2 b=140)"* ]]
   mv results/widths.csv.kept results/widths.csv
   mv results/fig10.png fig10.png
-  run -1 scripts/summary.sh
+  run -1 scripts/report/summary.sh
   [[ $output == *"there is no results/fig10.png"* ]]
   mv fig10.png results
   cmp before.md results/README.md
@@ -33,13 +33,13 @@ setup() {
 
 @test "the page in HTML says the same, with its pictures in it" {
   local number
-  scripts/page.sh
+  scripts/report/page.sh
   while read -r number; do
     grep -q -F "<td>$number</td>" build/results.html || { echo "$number is not there" && false; }
   done < <(awk -F, '!/^#/ && $1 != "id" { print $6 }' results/targets.csv)
   [ "$(grep -o 'src="data:image/' build/results.html | wc -l)" -eq "$(grep -o '!\[[^]]*\](' results/README.md | wc -l)" ]
   cp build/results.html again.html
-  scripts/page.sh
+  scripts/report/page.sh
   cmp again.html build/results.html
 }
 
@@ -100,11 +100,11 @@ END
   scripts/fig06.sh tables
   grep -q -E "$row" results/versions.csv
   sed -i 's/^fig06,7,/fig06,70,/' results/versions.csv
-  rm build/tables/*.made
+  rm -f build/stamps/*
   scripts/fig06.sh tables
   grep -q '^fig06,70,' results/versions.csv
   sed -i '$d' results/fig06.csv
-  rm build/tables/*.made
+  rm -f build/stamps/*
   scripts/fig06.sh tables
   grep -q -E "$row" results/versions.csv
 }

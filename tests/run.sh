@@ -12,24 +12,32 @@
 # tests/test_layout.c. All speak TAP, and run side by side, one per processor:
 # each writes below build/tests/NAME only.
 #
-# A line for each test as it ends, a failed one with all it had to say. A
-# program that crashes, hangs, says nothing or less than it announced has
-# failed too. On a terminal each file that is begun says how far the tests are. The
-# last line is "Tests: N passed, N failed[, N skipped]".
+# A line for each test as it ends, a failed one with all it had to say, and one for each
+# file with the seconds it took. A program that crashes, hangs, says nothing or less than
+# it announced has failed too. On a terminal each file that is begun says how far the
+# tests are. The last line is "Tests: N passed, N failed[, N skipped]".
+#
+# One at a time runs in a tree, another waits for it.  However it ends, what it had begun
+# ends with it.
 #
 # Exit    0 all passed, 1 some failed, 2 no such tests
 set -euo pipefail
-. "$(dirname "$(realpath "$0")")/../scripts/tools.sh"
+. "$(dirname "$(realpath "$0")")/../scripts/auto/tools.sh"
 export CMOCKA_MESSAGE_OUTPUT=TAP
 
 readonly limit=${TEST_TIMEOUT:-600} # seconds for one file
 readonly counts=build/tests/counts
 readonly took=build/tests/took # seconds of the last run of every test
+readonly alive=build/tests/alive # a pipe that is open as long as this runs
+# Those that take longest begin first, so that no processor waits for one in the end.
+readonly longest='runs new-runs boundary layouts verify failures'
 
-all_names() { # the largest bats files first: they take longest
-  local file
-  for file in $(stat -c '%s %n' tests/*.bats | sort -rn | cut -d ' ' -f 2); do
-    basename "$file" .bats
+all_names() {
+  local file name
+  for name in $longest; do [ ! -f "tests/$name.bats" ] || echo "$name"; done
+  for file in tests/*.bats; do
+    name=${file#tests/}
+    case " $longest " in *" ${name%.bats} "*) ;; *) echo "${name%.bats}" ;; esac
   done
   for file in tests/test_*.c; do
     file=${file#tests/test_}
@@ -56,19 +64,35 @@ chosen() {
 }
 
 build() {
-  make --no-print-directory test-set-up || exit
-  MLG_SET_UP=yes make --no-print-directory --keep-going test-programs || built=no
+  make --no-print-directory test-set-up 8>&- 9>&- || exit
+  MLG_SET_UP=yes make --no-print-directory --keep-going test-programs 8>&- 9>&- || built=no
 }
 
-# TAP on standard output, and last the exit status. A stop is passed on.
+# TAP on standard output, and last the time taken and the exit status.  timeout makes it
+# a process group, which is ended whole: by a stop, behind its last test, and by itself
+# when the pipe is closed because this script is no more.
 tap_of() { # name
-  local command=("build/tests/$1") pid status=0
+  local command=("build/tests/$1") pid status=0 began=${EPOCHREALTIME/./}
   [ ! -e "tests/$1.bats" ] || command=(bats --formatter tap "tests/$1.bats")
-  timeout --kill-after=10 "$limit" "${command[@]}" </dev/null 2>&1 &
+  # shellcheck disable=SC2016 # for that shell
+  timeout --kill-after=10 "$limit" bash -c '{ read -r || kill -KILL 0; } <"$0" >/dev/null 2>&1 & exec "$@"' \
+    "$alive" "${command[@]}" </dev/null 2>&1 &
   pid=$!
   trap 'kill "$pid"' TERM
   wait "$pid" || status=$?
+  kill -KILL -- "-$pid" 2>/dev/null || true
+  echo "took $(((${EPOCHREALTIME/./} - began + 50000) / 100000))"
   echo "exit status $status"
+}
+
+# One at a time in this tree, and the pipe that says that it still runs
+alone() {
+  mkdir -p build/tests
+  exec 9>build/tests/lock
+  flock -n 9 || { echo "run.sh: waiting for another tests/run.sh in this tree" >&2 && flock 9; }
+  rm -f "$alive"
+  mkfifo "$alive"
+  exec 8<>"$alive"
 }
 
 stop() {
@@ -92,6 +116,7 @@ main() {
   local names name n=0 whole=no built=yes
   [ $# -gt 0 ] || whole=yes
   names=$(chosen "$@")
+  alone
   [ -n "${MLG_BUILT:-}" ] || build
   export MLG_BUILT=yes
   rm -rf "$counts"
@@ -105,7 +130,7 @@ main() {
     n=$((n + 1))
     progress "$n" "$(wc -w <<<"$names")"
     echo "0 1 0 $name: ended before it was counted" >"$counts/$name"
-    tap_of "$name" | awk -v name="$name" -v counts="$counts/$name" -f tests/tap.awk &
+    tap_of "$name" 8>&- 9>&- | awk -v name="$name" -v counts="$counts/$name" -f tests/tap.awk 8>&- 9>&- &
   done
   wait
   [ "$whole" = no ] || echo "$SECONDS" >"$took"

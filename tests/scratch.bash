@@ -6,11 +6,11 @@
 scratch() {
   export ROOT SCRATCH MLG_BUILT=yes
   unset MAKEFLAGS MFLAGS MAKELEVEL AUTO_DIR AUTO_TARBALL
-  . "$(realpath "$BATS_TEST_DIRNAME")/../scripts/tools.sh"
+  . "$(realpath "$BATS_TEST_DIRNAME")/../scripts/auto/tools.sh"
   ROOT=$PWD
   SCRATCH=$ROOT/build/tests/$1
   rm -rf "$SCRATCH"
-  mkdir -p "$SCRATCH"/build/{models,bin} "$SCRATCH/tests"
+  mkdir -p "$SCRATCH"/build/{models,bin,runs} "$SCRATCH/tests"
   cd "$SCRATCH" || return
   cp -rp "$ROOT"/{Makefile,scripts,models,constants,CITATION.cff} .
   cp -p "$ROOT"/tests/targets.csv tests
@@ -20,21 +20,30 @@ scratch() {
   ln -s "$ROOT/build/auto" build/auto
 }
 
+# objects: those of the real checkout, so that make in this one builds what changed
+objects() {
+  cp -rp "$ROOT"/build/{models,bin,lib,libmlg,mlg} build
+}
+
 # made_by_make TARGET...: make in the scratch checkout with the AUTO of the real one
 made_by_make() {
   local auto
   auto=$(sed -n 's/^AUTO_DIR = //p' "$ROOT/build/auto.mk")
   case $auto in /*) export AUTO_DIR=$auto ;; esac
-  env -u MLG_BUILT make --no-print-directory "$@"
+  env -u MLG_BUILT MLG_SET_UP=yes make --no-print-directory "$@"
 }
 
-# auto_run NAME CONSTANTS ...: the function run of scripts/lib.sh
+mlg() {
+  build/bin/mlg "$@"
+}
+
+# auto_run NAME CONSTANTS ...: a run as scripts/run.sh makes it
 auto_run() {
-  bash -c '. scripts/lib.sh; run "$@"' auto_run "$@"
+  mlg run "$@"
 }
 
-# value RUN TYPE COLUMN [V]: that column at the run's first point of that type
-# (with that speed), as AUTO wrote it, read without the project's awk programs
+# value RUN TYPE COLUMN [V]: that column at the run's first point of that type (with
+# that speed; several columns as one word with blanks between them), as AUTO wrote it, read without the project's own reader
 value() {
   values "$@" | head -n 1
 }
@@ -42,7 +51,8 @@ value() {
 values() { # the same of all such points
   local code
   case $2 in HB) code=3 ;; UZ) code=-4 ;; LP) code=2 ;; TR) code=8 ;; *) return 2 ;; esac
-  awk -v code="$code" -v column="$3" -v V="${4:-}" '
+  awk -v code="$code" -v columns="$3" -v V="${4:-}" '
+    BEGIN { n = split(columns, wanted, " ") }
     $1 == 0 && /PT +TY +LAB/ {
       for (k = 1; k * 19 < length($0); k++) {
         name = substr($0, 1 + 19 * k, 19)
@@ -51,7 +61,8 @@ values() { # the same of all such points
       }
     }
     $1 != 0 && ($3 % 10 == code || (code == 2 && $3 % 10 == 5)) {
-      if (V == "" || ($(place["V"]) - V) ^ 2 < 1e-12) print $place[column]
+      if (V != "" && ($(place["V"]) - V) ^ 2 >= 1e-12) next
+      for (k = 1; k <= n; k++) printf "%s%s", $place[wanted[k]], k < n ? " " : "\n"
     }
   ' "build/runs/$1/b.$1"
 }

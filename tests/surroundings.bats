@@ -37,9 +37,9 @@ tables_are_those_of_record() {
   cp "$ROOT"/results/* results
   rm results/{fig06,targets}.csv
   scripts/fig06.sh tables
-  scripts/targets.sh >targets
+  scripts/report/targets.sh >targets
   cp "$ROOT"/results/versions.csv results # with what the tables were made is as it was
-  scripts/summary.sh
+  scripts/report/summary.sh
   for table in fig06.csv targets.csv README.md; do
     cmp "results/$table" "$ROOT/results/$table"
   done
@@ -49,7 +49,7 @@ tables_are_those_of_record() {
   scripts/curves.sh l1 plane >curves
   grep -q 'c_d from 2754.35[0-9]* to 3018.9[0-9]*' curves
   # without the other tables their targets are missed, and nothing else
-  awk -f scripts/targets.awk results/special_points.csv results/fig06.csv tests/targets.csv >few
+  awk -f scripts/report/targets.awk results/special_points.csv results/fig06.csv tests/targets.csv >few
   grep -q '^V-H1,.*,yes$' few
   grep -q '^W-LI1.gain,.*,no$' few
 }
@@ -88,7 +88,7 @@ tables_are_those_of_record() {
   cp "$ROOT"/results/*.csv results
   for HOME in $PWD/none $PWD/home; do
     printf 'set title "mine"\nset terminal dumb\nset grid\n' >home/.gnuplot
-    rm -f build/tables/*.made
+    rm -f build/stamps/*
     HOME=$HOME GNUTERM=dumb scripts/fig06.sh draw
     cp results/fig06.svg "$(basename "$HOME").svg"
   done
@@ -122,14 +122,14 @@ tables_are_those_of_record() {
   ln -sfn "$ROOT/build/auto" broken/build/auto
   cd broken
   echo '#error broken' >>tests/test_model.c
-  run env -u MLG_BUILT MLG_SET_UP=yes make --keep-going build/tests/model build/tests/fuzz
+  run env -u MLG_BUILT MLG_SET_UP=yes make --keep-going build/tests/model build/tests/criticality
   [ "$status" -eq 2 ]
-  [ -x build/tests/fuzz ]
+  [ -x build/tests/criticality ]
   # an older program is not taken for it
-  cp build/tests/fuzz build/tests/model
+  cp build/tests/criticality build/tests/model
   touch -d '1 hour ago' build/tests/model
   run env -u MLG_BUILT MLG_SET_UP=yes make build/tests/model
   [ "$status" -eq 2 ]
-  MLG_BUILT=yes FUZZ=10 run -1 tests/run.sh model fuzz
+  MLG_BUILT=yes run -1 tests/run.sh model crit
   [[ $output == *'model: printed no test result, status 127'* ]]
 }

@@ -2,8 +2,8 @@
 #
 #   awk -v name=NAME -v counts=FILE -f tap.awk
 #
-# Reads TAP of cmocka or bats with all else the program prints, and last the
-# line "exit status N". Writes FILE: "PASSED FAILED SKIPPED", a line without
+# Reads TAP of cmocka or bats with all else the program prints, and last the lines "took
+# N", tenths of a second, and "exit status N". Writes FILE: "PASSED FAILED SKIPPED", a line without
 # more, then for each failure "0 0 0 NAME: test".
 #
 # A failure is shown with the lines around it: cmocka prints some of its message
@@ -46,6 +46,8 @@ function success(word) {
   next
 }
 
+/^took [0-9]+$/ { took = $2; next }
+
 /^exit status [0-9]+$/ { status = $3; ended = 1; next }
 
 /^# (not )?ok - / { next } # cmocka, about the whole group
@@ -66,5 +68,6 @@ END {
     if (missing > 1) failed += missing - 1
   }
   show()
+  printf "      %-14s %.1f s\n", name, took / 10
   printf "%d %d %d\n%s", passed, failed, skipped, list > counts
 }

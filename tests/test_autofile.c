@@ -22,11 +22,11 @@
 
 #include <cmocka.h>
 
-#include "mlg/autofile.h"
-#include "mlg/branch.h"
-#include "mlg/ending.h"
-#include "mlg/judge.h"
-#include "mlg/sums.h"
+#include "autofile.h"
+#include "branch.h"
+#include "ending.h"
+#include "judge.h"
+#include "sums.h"
 #include "numbers.h"
 
 #define FOLDER "build/tests/autofile.files"

@@ -1,6 +1,6 @@
 /* test_constants.c - the constants checker on random input, under ASan and UBSan
  *
- * scripts/mlg/constants.h, with its files in the hands of this test, so that it runs
+ * scripts/mlg/auto/constants.h, with its files in the hands of this test, so that it runs
  * thousands of times a second.  An input is a text of up to three parts with a line
  * "%" between them: the constants file, the gear file, and the words of the command
  * line, one a line.
@@ -8,7 +8,7 @@
  * Whatever the input: status 0, no complaint, and an output that is accepted and
  * printed again as it is; or status 2, no output, and one line of complaint.
  *
- *   build/tests/constants                all of tests/corpus, then 60000 changes of it
+ *   build/tests/constants                all of tests/corpus, then 200000 changes of it
  *   FUZZ=n SEED=s build/tests/constants  n changes, other ones
  *
  * Each input stands in build/tests/constants.input while it is tried: after a crash
@@ -29,7 +29,7 @@
 
 #include <cmocka.h>
 
-#include "mlg/text.h"
+#include "text.h"
 
 static char *part[3]; /* of the input at hand */
 
@@ -45,7 +45,7 @@ static int read_part(const char *file, struct text *text, struct text *why)
 }
 
 #define read_file read_part
-#include "mlg/conparse.c"
+#include "conparse.c"
 #undef read_file
 
 enum { ROOM = 1 << 13, MOST_WORDS = 32, MOST_SEEDS = 200 };
@@ -214,7 +214,7 @@ static void changes_of_the_corpus(void **state)
 
   (void)state;
   random_state = 0x9E3779B97F4A7C15u + (start ? strtoull(start, NULL, 10) : 0);
-  for (long i = count ? atol(count) : 60000; i > 0; i--) {
+  for (long i = count ? atol(count) : 200000; i > 0; i--) {
     strcpy(input, seed[below((size_t)seeds)]);
     for (size_t k = 1 + below(6); k > 0; k--)
       change();

@@ -19,6 +19,7 @@ trap '[ $BASHPID != $$ ] || fail "${BASH_SOURCE[0]}:$LINENO: failed: ${BASH_COMM
 
 # The models and mlg, built when they are not up to date.  Under make they are, and
 # asking again would only cost time.
+# shellcheck disable=SC2120 # some scripts do
 build() { # [TARGET]
   [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent "${1:-models}" || exit 1
   export MLG_BUILT=yes
@@ -67,6 +68,44 @@ replace() { # FILE: by FILE.new, unless they are the same
 
 # Notes a file that the figure hangs on and no command of mlg reads.
 use() { printf '%s\n' "$@" >> "$MLG_USES"; }
+
+# What takes minutes is not made again because mlg was linked anew.
+# made NAME FILE... -- COMMAND...: the output of COMMAND as build/tables/NAME.csv, made
+# again when its words or one of the files changed, or the table itself (mlg stamp).
+made() {
+  local table=build/tables/$1.csv words=build/tables/$1.words stamp=made.$1 files=() started=${EPOCHREALTIME/./}
+  shift
+  while [ "$1" != -- ]; do files+=("$1"); shift; done
+  shift
+  use "$table"
+  echo "$*" > "$words.new"
+  cmp -s "$words.new" "$words" || mv "$words.new" "$words"
+  rm -f "$words.new"
+  if mlg stamp fits "$stamp" > /dev/null; then return; fi
+  touch "build/stamps/$stamp.began"
+  "$@" > "$table.new" || exit $?
+  mv "$table.new" "$table"
+  MLG_USES='' mlg stamp write "$stamp" "$table" "$words" "${files[@]}"
+  printf '  %-28s %5d ms\n' "$(basename "$table" .csv)" $(((${EPOCHREALTIME/./} - started) / 1000))
+}
+
+# sources LAYOUT FILE...: the equations of a layout and these, for made
+sources() {
+  printf '%s\n' models/{mlg,network,gear,jacobian}.h models/gear.c "models/$1.c" models/libmlg/{libmlg,layout}.c "${@:2}"
+}
+
+# Sets k_s, b, c_lo, c_hi: the gear whose interval c_lo to c_hi of c_d the paper calls best.
+# For LI2 the paper gives b only: k_s is just below the onset of the delta region, where the
+# interval is widest.
+paper_gear() { # LAYOUT
+  case $1 in
+    l1) k_s=1e30 b=0 ;;
+    l2) k_s=7.86e5 b=0 ;;
+    li1) k_s=6.38e5 b=140 ;;
+    li2) k_s=2.48e6 b=140 ;;
+  esac
+  IFS=, read -r c_lo c_hi _ < <(mlg intervals "$1" k_s="$k_s" b="$b" | sed -n 3p)
+}
 
 # The figure's row of results/versions.csv: with what its runs were made.  It is written
 # with the table, so runs that find the same table leave it as it is.
@@ -122,6 +161,7 @@ main() { # FIGURE [runs [PART...] | tables | draw]
   for part in "${@:3}"; do
     case " ${parts[*]} " in *" $part "*) ;; *) fail "$figure: no runs '$part'; there are ${parts[*]}" 2 ;; esac
   done
+  # shellcheck disable=SC2119 # all
   build
   # parts of one figure may run side by side, its tables and its picture not
   if [ "$step" = runs ]; then mkdir -p build/tables build/stamps results; else alone "$figure"; fi

@@ -85,5 +85,7 @@ int main(int argc, char *argv[])
     fprintf(stderr, "mlg: '%s': no such command; `mlg help` lists them\n", argv[1]);
     return MLG_BAD_INPUT;
   }
-  return c->run(argc - 1, argv + 1);
+  const int status = c->run(argc - 1, argv + 1);
+
+  return status == MLG_OK ? output_status(argv[1]) : status;
 }

@@ -176,8 +176,8 @@ static int run_rows(int argc, char *argv[])
 }
 
 const struct command command_rows = {
-  "rows", "RUN... columns=NAME[:FORMAT],... [prefix=TEXT] [every=N] [phase=K] [types=LIST] [keep=LIST] [only=LIST]\n"
-  "     [where=NAME<VALUE] [ends] [bifurcations=stable] [reverse]",
+  "rows", "RUN... columns=NAME[:FORMAT],... [prefix=TEXT] [every=N] [phase=K] [types=LIST] [keep=LIST]\n"
+  "     [only=LIST] [where=NAME<VALUE] [ends] [bifurcations=stable] [reverse]",
   "the points of runs as rows of a table",
   "columns: AUTO's, or point, label, type, name (HB2), stable (1, 0, empty: not known), run,\n"
   "number (of the run), frequency (Hz), k_s, size (of an orbit, over the largest), shimmy,\n"
