@@ -217,7 +217,7 @@ asked := $(filter $(figures) $(studies),$(goals))
 export MLG_ASKED := $(or $(asked),$(figures))
 export MLG_STARTED := $(shell date +%s)
 collect: $(addsuffix .tables,$(or $(asked),$(figures)))
-	@scripts/collect.sh
+	@scripts/report/collect.sh
 
 fig06: ## Figure 6: one-parameter diagrams in V, layout L1
 fig07: ## Figure 7: the (V, c_d) plane, layout L1
