@@ -86,7 +86,7 @@ static void read_list(struct pick *p, char kind, const char *list, struct text *
 
 static int read_word(struct pick *p, const char *word, struct text *why)
 {
-  const char *value = strchr(word, '=') ? strchr(word, '=') + 1 : "";
+  const char *value = strchr(word, '=') ? strchr(word, '=') + 1 : word;
 
   if (strncmp(word, "columns=", 8) == 0 || strncmp(word, "blocks=", 7) == 0 || strncmp(word, "smooth=", 7) == 0)
     read_list(p, *word, value, why);
@@ -249,16 +249,17 @@ static int run(int argc, char *argv[])
 }
 
 const struct command command_pick = {
-  "pick", "TABLE [CONDITION ...] [columns=NAME[*FACTOR][:FORMAT],...] [blocks=NAME,...] [smooth=NAME,NAME]\n"
-  "     [first=NAME] [every=N] [head]",
+  "pick", "TABLE [CONDITION ...] [columns=NAME[*FACTOR][:FORMAT],...] [blocks=NAME,...]\n"
+  "     [smooth=NAME,NAME] [first=NAME] [every=N] [head]",
   "rows and columns of a table in CSV, by the names of its columns",
-  "TABLE: results/TABLE.csv, or a file with a slash in its name.  CONDITION: as for mlg cell, also with\n"
-  "where= before it: NAME=TEXT or NAME!=TEXT (a number by its value, other text as the shell's * ? []\n"
-  "say, A|B one of them), NAME<X, <=, >, >=; all have to hold.  columns: these, in this order, times FACTOR\n"
-  "and as FORMAT (.6g) if there is one.  first: only where the value of this column is another than in\n"
-  "the row before.  blocks: an empty line where that of one of these changes, at which gnuplot lifts\n"
-  "the pen.  smooth: rows of a smooth curve in these two columns between.  every: each Nth, from the\n"
-  "first on.  head: the names first.  Status 2: no such column, or a row with another number of cells.\n"
-  "  gnuplot -p -e \"set datafile separator ','; plot '< build/bin/mlg pick fig09 k_s=1e6 blocks=curve' using 7:8 with lines\"\n",
+  "TABLE: results/TABLE.csv, or a file with a slash in its name.  CONDITION: as for mlg cell, also\n"
+  "with where= before it: NAME=TEXT or NAME!=TEXT (a number by its value, other text as the shell's\n"
+  "* ? [] say, A|B one of them), NAME<X, <=, >, >=; all have to hold.  columns: these, in this\n"
+  "order, times FACTOR and as FORMAT (.6g) if there is one.  first: only where the value of this\n"
+  "column is another than in the row before.  blocks: an empty line where that of one of these\n"
+  "changes, at which gnuplot lifts the pen.  smooth: rows of a smooth curve in these two columns\n"
+  "between.  every: each Nth, from the first on.  head: the names first.  In gnuplot:\n"
+  "  plot '< build/bin/mlg pick fig09 k_s=1e6 blocks=curve' using 7:8 with lines\n"
+  "Status 2: no such column, or a row with another number of cells.\n",
   run,
 };
