@@ -92,9 +92,10 @@ static int read_word(struct pick *p, const char *word, struct text *why)
     read_list(p, *word, value, why);
   else if (strncmp(word, "first=", 6) == 0)
     p->first = named(&p->table, value, strlen(value), why);
-  else if (strncmp(word, "every=", 6) == 0 && whole_number(value, 1, 1000000, &p->every))
-    ;
-  else if (strcmp(word, "head") == 0)
+  else if (strncmp(word, "every=", 6) == 0) {
+    if (!whole_number(value, 1, 1000000, &p->every))
+      text_add(why, "'%s': expected a whole number from 1 to 1000000", word);
+  } else if (strcmp(word, "head") == 0)
     p->head = 1;
   else if (is_condition(word))
     read_row_condition(&p->table, word, &p->where[p->conditions++], why);
