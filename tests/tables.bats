@@ -46,7 +46,7 @@ refuses() { # STATUS LINE WORD...
   is '0, 10, 10' ./t.csv b 'k_s>=2.001e5' c_lo!=1 list
   is '1e5 2e5 2.001e5' ./t.csv k_s b=0 each
   is 1 ./t.csv count k_s=inf
-  is 4 ./t.csv count 'layout=l[12]' b%10=0 'width<8'
+  is 3 ./t.csv count 'layout=l[12]' b%10=0 'width<8'
 }
 
 @test "cells may be reckoned with and compared" {

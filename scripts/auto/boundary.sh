@@ -44,7 +44,7 @@ to_damping_ratio() { # RUN LAYOUT U ZETA [PARAMETER=VALUE ...]
 # report the multiples of 10, and where the width is largest.
 follow_widths() { # LAYOUT [PREFIX]
   local layout=$1 prefix=$figure.width.${2:-} number to at peak limit constants event start settings stop took_over=''
-  mlg limits "$layout" stretches tolerance=1e-5 > "build/tables/stretches.$layout"
+  mlg limits "$layout" stretches tolerance=0.02 > "build/tables/stretches.$layout"
   : > "build/tables/widths.$layout"
   while IFS=, read -r number _ to at peak limit constants event start; do
     [[ $number =~ ^[0-9]+$ ]] && [ -n "$constants" ] || continue

@@ -291,6 +291,20 @@ static void print_stretch(struct job *j, int number, int first, int last)
   printf(", 'kappa': %.12g}\"\n", 1e5 / w->k_s);
 }
 
+/* Where another interval becomes the wider nothing passes zero, so the place has to be known
+ * better than that of another event. */
+static void sharpen(struct job *j)
+{
+  for (int i = 0; i + 1 < j->n; i++)
+    while (j->first[i + 1] && j->node[i].w.limit != LIBMLG_NO_INTERVAL
+           && j->node[i + 1].w.limit != LIBMLG_NO_INTERVAL && !event_between(&j->node[i].w, &j->node[i + 1].w)
+           && j->node[i + 1].b - j->node[i].b > 2e-4) {
+      const struct node middle = node_at(j, 0.5 * (j->node[i].b + j->node[i + 1].b));
+
+      j->node[goes_on(&j->node[i].w, &middle.w) ? i : i + 1] = middle;
+    }
+}
+
 static void print_stretches(struct job *j)
 {
   int number = 0;
@@ -333,9 +347,10 @@ static int run(int argc, char *argv[])
     refuse(argv[0], option[2].word ? option[2].word : option[1].word, "more than %d steps of b", MOST_NODES / 2);
   j.step = option[2].value;
   find_nodes(&j, option[0].value, option[1].value, option[2].value, option[3].value);
-  if (stretches)
+  if (stretches) {
+    sharpen(&j);
     print_stretches(&j);
-  else
+  } else
     print_table(&j);
   return output_status(argv[0]);
 }
