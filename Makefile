@@ -105,10 +105,6 @@ build/bin/$(1)-%: scripts/$(1).c models/%.c Makefile
 endef
 $(foreach tool,scan curves,$(eval $(call tool_rule,$(tool))))
 
-.PHONY: sections
-sections: $(models) ## what follows past the torus points of Figure 6 (docs/simulate.md)
-	@scripts/sections.sh
-
 build/models/%.boundary.exe: build/models/%.device.o build/models/boundary.o
 	@$(call whole,$(AUTO_FC) $^ $(AUTO_LINK))
 
@@ -191,18 +187,20 @@ parts_damping := planes search
 parts_transients := paper best
 parts_layouts := li3 li4 li5
 parts_certify := l1 l2 li1 li2
-studies := damping transients layouts certify
+parts_sections := past tori elsewhere
+studies := damping transients layouts certify sections
 
 define figure_rules
 .PHONY: $(1) $(1).tables $(parts_$(1):%=$(1).%)
 $(parts_$(1):%=$(1).%): $(1).%: $$(models)
-	@scripts/$(1).sh runs $$*
+	@$(2)/$(1).sh runs $$*
 $(1).tables: $(parts_$(1):%=$(1).%)
-	@scripts/$(1).sh tables
+	@$(2)/$(1).sh tables
 $(1): collect
-	@scripts/$(1).sh draw
+	@$(2)/$(1).sh draw
 endef
-$(foreach figure,$(figures) $(studies),$(eval $(call figure_rules,$(figure))))
+$(foreach figure,$(figures),$(eval $(call figure_rules,$(figure),scripts)))
+$(foreach study,$(studies),$(eval $(call figure_rules,$(study),scripts/studies)))
 
 figures: $(figures) drawings
 fig07.hopf: fig06.a fig06.c
@@ -212,14 +210,15 @@ fig07.torus_psi_up fig07.torus_psi_down fig07.torus_delta filmstrip.orbits: fig0
 fig10: fig09.tables
 
 $(parts_transients:%=transients.%): damping.tables
-$(parts_certify:%=certify.%): $(layouts:%=build/bin/eigen-%)
+$(parts_sections:%=sections.%): sections.branches
+sections.branches: fig06.a
 
 # what the figures share, of those asked for
 asked := $(filter $(figures) $(studies),$(goals))
 export MLG_ASKED := $(or $(asked),$(figures))
 export MLG_STARTED := $(shell date +%s)
 collect: $(addsuffix .tables,$(or $(asked),$(figures)))
-	@scripts/collect.sh
+	@scripts/report/collect.sh
 
 fig06: ## Figure 6: one-parameter diagrams in V, layout L1
 fig07: ## Figure 7: the (V, c_d) plane, layout L1
@@ -231,8 +230,9 @@ fig14: ## Figure 14: Hopf curves for several k_s and b, layout LI2
 fig15: ## Figure 15: zero-shimmy regions and largest width, layout LI2
 filmstrip: ## solutions A and B of Figure 6 over a period: the gear from above and behind
 layouts: ## layouts LI3, LI4 and LI5: diagrams, boundary points, widths (docs/layouts.md)
-damping: ## least damping ratios of every layout, a minute or two (docs/damping.md)
+damping: ## least damping ratios of every layout, a minute (docs/damping.md)
 transients: ## peaks and settling times after a disturbance, four minutes more (docs/damping.md)
+sections: ## what follows past the torus points of Figure 6 (docs/simulate.md)
 certify: ## do oscillations reach into the zero-shimmy regions? (docs/certification.md)
 
 # --- drawings of the gear and of each layout, docs/drawings ------------------

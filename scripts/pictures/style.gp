@@ -22,5 +22,7 @@ set tics nomirror out
 set format "%h" # without the leading blank of gnuplot's own, which shifts the labels
 set key noautotitle
 
-# Rows of a table whose column name is one of the given values.
-where(file, column, value) = sprintf("< awk -F, -v c='%s' -v v='%s' '/^#/{next} !k{for(i=1;i<=NF;i++)if($i==c)k=i;next} $k==v' %s", column, value, file)
+# Rows of a table, by `mlg pick`: "TABLE where=NAME=VALUE ...", and one of its values.
+pick(words) = "< build/bin/mlg pick ".words
+value_of(words) = real(system("build/bin/mlg pick ".words))
+where(file, column, value) = pick(sprintf("%s 'where=%s=%s'", file, column, value))
