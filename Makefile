@@ -59,7 +59,7 @@ setup: build/auto.mk ## packages and AUTO only
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
-need_test_packages := prove bench test% check-scripts certify% verify build/bin/eigen-%
+need_test_packages := prove bench test% check-scripts verify build/bin/eigen-%
 auto_given := $(AUTO_DIR)
 ifneq ($(filter-out help clean distclean test check-fresh libmlg build/lib/% build/bin/mlg drawings docs/drawings/%,$(goals)),)
 include build/auto.mk

@@ -52,7 +52,7 @@ do for [ending in "png svg"] {
       unset table
       unset contour; set surface
       set cbrange [-5.5:-2.5]
-      set ylabel (col == 0 || row ? "c_d (kN m s/rad)" : "") offset (row ? 1.1 : 1.5),0
+      set ylabel (col == 0 || row ? "c_d (kN m s/rad)" : "") offset (row ? 0.75 : 1.5),0
       set ytics ("0.1" 2, "0.3" log10(300), "1" 3, "3" log10(3e3), "10" 4, "30" log10(3e4))
       if (row) {
         set xrange [log10(2.86e5):log10(col == 3 ? 4e6 : 2e6)]; set yrange [log10(2e3):log10(3e4)]
