@@ -329,7 +329,7 @@ full() {
     rm -f build/stamps/*
     # shellcheck disable=SC2086 # a script and its argument
     run -1 full 1 scripts/$step
-    [[ $output == *': cannot write the output: File too large' || $output == *'File too large'*$'\n'*"${step% *}:"*': failed: '* ]]
+    [[ $output == *': cannot write the output: File too large' || $output == *': write error'* || $output == *'File too large'*$'\n'*"${step% *}:"*': failed: '* ]]
     sha256sum --check --quiet kept.sums
   done
   # and with room again all is as before

@@ -64,7 +64,7 @@ chosen() {
 }
 
 build() {
-  make --no-print-directory test-set-up 8>&- 9>&- || exit
+  make --no-print-directory --silent test-set-up 8>&- 9>&- || exit
   MLG_SET_UP=yes make --no-print-directory --keep-going test-programs 8>&- 9>&- || built=no
 }
 

@@ -18,6 +18,7 @@ extern const struct command command_eigenvalues, command_damping, command_transi
 extern const struct command command_draw, command_gear;
 extern const struct command command_constants, command_run, command_judge, command_table, command_rows, command_point, command_points, command_at, command_curve, command_stamp;
 extern const struct command command_orbit, command_shimmy, command_widths, command_starts, command_agree, command_crossing, command_peak;
+extern const struct command command_cell, command_pick, command_areas, command_targets, command_fill, command_embed, command_strip;
 
 static const struct command *const commands[] = {
   &command_boundary, &command_hopf, &command_intervals, &command_regions, &command_widest, &command_limits, &command_curves,
@@ -25,6 +26,7 @@ static const struct command *const commands[] = {
   &command_draw, &command_gear,
   &command_constants, &command_run, &command_judge, &command_table, &command_rows, &command_point, &command_points, &command_at, &command_curve, &command_stamp,
   &command_orbit, &command_shimmy, &command_widths, &command_starts, &command_agree, &command_crossing, &command_peak,
+  &command_cell, &command_pick, &command_areas, &command_targets, &command_fill, &command_embed, &command_strip,
 };
 
 enum { COMMANDS = sizeof commands / sizeof *commands };

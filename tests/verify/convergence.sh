@@ -34,7 +34,7 @@ meshes="NTST=40"
 for mesh in $meshes; do
   for branch in psi:HB1:20:A delta:HB2:40:B; do
     IFS=: read -r shimmy start V name <<< "$branch"
-    fine=verify.$shimmy.$mesh
+    fine=verify.$shimmy.${mesh/=/}
     run "$fine" l1.periodic from=fig06.a.straight IRS="'$start'" "$mesh" EPSL=1e-9 EPSU=1e-9 EPSS=1e-8 -- TR=1 closed=1 >&2
     for quantity in V:5:m/s psi_max:10:deg dstar_max:11:m frequency_hz:9:Hz; do
       IFS=: read -r column place unit <<< "$quantity"

@@ -47,7 +47,7 @@ static void add_row(struct text *out, const struct run_data *data, long at, cons
  * After the largest b the stationary width is a minimum; those rows are left out. */
 static void add_rows(struct text *out, const struct run_data *data, const char *prefix)
 {
-  double b_was = -INFINITY;
+  double b_was = NAN, way = 0.;
 
   for (long i = 0; i < data->all.part[0].points; i++) {
     const char *type = point_type(&data->all, &data->all.part[0], i);
@@ -55,8 +55,9 @@ static void add_rows(struct text *out, const struct run_data *data, const char *
     const int whole = (b - tens) * (b - tens) < 1e-12;
     char text[32];
 
-    if (b < b_was)
+    if ((b - b_was) * way < 0.)
       return;
+    way = i > 0 ? b - b_was : 0.;
     b_was = b;
     snprintf(text, sizeof text, whole ? "%.0f" : "%.8g", whole ? tens : b);
     if (strcmp(type, "UZ") == 0 || (strcmp(type, "EP") == 0 && whole))
