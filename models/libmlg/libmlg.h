@@ -112,18 +112,11 @@ struct libmlg_mode {
   double delta_over_psi; /* ratio of amplitudes; above 1 it is delta-shimmy */
 };
 
-/* The mode of the least damping ratio at the V of par[], above 0.  A real eigenvalue does
- * not oscillate: it has zeta = 1 and never counts; one that grows (divergence) has -1
- * and always does.
+/* The mode of the least damping ratio at the V of par[], above 0 (over all V:
+ * libmlg_least_ratio).  A real eigenvalue does not oscillate: it has zeta = 1 and never
+ * counts; one that grows (divergence) has -1 and always does.
  * Returns as libmlg_eigenvalues. */
 int libmlg_least_damped(int layout, const double par[], struct libmlg_mode *mode);
-
-/* The same where zeta is least between two speeds, m/s, to 1e-5 of their difference,
- * where one minimum lies there; and over all speeds above 0 up to V_top, from 60 that
- * are dense at low speed. */
-int libmlg_least_damped_between(int layout, const double par[], double V_lo, double V_hi,
-                                struct libmlg_mode *mode);
-int libmlg_least_damped_to(int layout, const double par[], double V_top, struct libmlg_mode *mode);
 
 /* Is the Hopf point of the mode nearest to i omega, rad/s, subcritical (*a > 0: unstable
  * shimmy beside the stable gear) or supercritical?  The amplitude r of psi, rad, obeys
