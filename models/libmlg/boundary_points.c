@@ -271,13 +271,19 @@ static int hand_over(const struct problem *p, struct crossing_at at[], int n, st
   return n;
 }
 
+/* A range of speeds to look at. */
+static int is_range(double V_least, double V_top)
+{
+  return V_least >= 0. && V_top > V_least && isfinite(V_top);
+}
+
 int libmlg_hopf_at_c_d(int layout, const double par[], double zeta, double V_least, double V_top,
                        struct libmlg_point point[], int most)
 {
   struct problem p;
   struct crossing_at at[CROSSING_TERMS];
 
-  if (problem(&p, layout, par, zeta) != 0)
+  if (!is_range(V_least, V_top) || problem(&p, layout, par, zeta) != 0)
     return LIBMLG_NONE;
   return hand_over(&p, at, crossings_at_c(&p.x, p.par[PAR_C_D] / p.x.c_unit, V_least / p.x.V_unit, V_top / p.x.V_unit, at),
                    point, most, by_V);
@@ -328,7 +334,7 @@ int libmlg_boundary_points(int layout, const double par[], double zeta, double V
   struct problem p;
   int points, intervals;
 
-  if (problem(&p, layout, par, zeta) != 0)
+  if (!is_range(V_least, V_top) || problem(&p, layout, par, zeta) != 0)
     return LIBMLG_NONE;
   points_and_intervals(&p, V_least, V_top, point, most, &points, NULL, 0, &intervals);
   return points;
@@ -340,7 +346,7 @@ int libmlg_intervals(int layout, const double par[], double zeta, double V_least
   struct problem p;
   int points, intervals;
 
-  if (problem(&p, layout, par, zeta) != 0)
+  if (!is_range(V_least, V_top) || problem(&p, layout, par, zeta) != 0)
     return LIBMLG_NONE;
   points_and_intervals(&p, V_least, V_top, NULL, 0, &points, interval, most > 0 ? most : 1, &intervals);
   return intervals;

@@ -124,6 +124,20 @@ static int is_interval(struct job *j, double k_s, double lo, double hi)
   return 0;
 }
 
+/* The largest of V_1, V_2, ... at a point. */
+static double largest_V(const struct run_data *run, int part, long i, int points)
+{
+  double V = 0.;
+
+  for (int k = 1; k <= points; k++) {
+    char name[16];
+
+    snprintf(name, sizeof name, "V_%d", k);
+    V = fmax(V, number_at(run, part, i, name));
+  }
+  return V;
+}
+
 /* The largest difference along a run; complaints on standard error. */
 static double compare_run(struct job *j, const struct run_data *run, double tolerance, long *compared)
 {
@@ -143,15 +157,15 @@ static double compare_run(struct job *j, const struct run_data *run, double tole
       j->a.par[NUMBER_K_S] = fmin(k_s, MLG_RIGID);
       if (!isnan(b))
         j->a.par[NUMBER_B] = b;
-      n = libmlg_boundary_points(j->a.layout, j->a.par, 0., 0., HUGE_VAL, point, LIBMLG_MOST_POINTS);
+      n = libmlg_boundary_points(j->a.layout, j->a.par, 0., 0., 2. * largest_V(run, part, i, points) + 10., point, LIBMLG_MOST_POINTS);
       /* at an onset two exact points are one, to the root of rounding: past it */
-      for (int k = 1; k <= points && n > 0; k++) {
+      for (int k = 1; k <= points; k++) {
         char c[16], V[16];
         double apart;
 
         snprintf(c, sizeof c, "c_%d", k);
         snprintf(V, sizeof V, "V_%d", k);
-        if (fabs(number_at(run, part, i, "fold")) < 1e-3 && k == 1)
+        if (k == 1 && (fabs(number_at(run, part, i, "fold")) < 1e-3 || (points == 1 && strcmp(point_type(&run->all, p, i), "LP") == 0)))
           continue;
         apart = difference(point, n, number_at(run, part, i, c), number_at(run, part, i, V));
         worst = fmax(worst, apart);
