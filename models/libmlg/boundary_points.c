@@ -191,7 +191,7 @@ static int merge_cluster(struct events *e, const struct crossing *x, double V_le
  * 0, or LIBMLG_UNSURE. */
 static int find_events(const struct crossing *x, double V_least, double V_top, struct events *e, int crossing[MOST + 1])
 {
-  const double narrow = 1e-7;
+  const double narrow = 1e-5;
   struct crossing_at at[MOST];
   const int extrema = crossing_extrema(x, V_least, V_top, at, MOST - 2 * CROSSING_TERMS);
   int misfit, found, rounds = 0;
