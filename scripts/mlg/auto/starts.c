@@ -124,6 +124,22 @@ static int is_interval(struct job *j, double k_s, double lo, double hi)
   return 0;
 }
 
+/* How far c_d moves, relative, when k_s moves by a unit of the last digit that AUTO writes. */
+static double rounding(struct job *j, double k_s, double c_d, double V, double V_top)
+{
+  struct libmlg_point point[LIBMLG_MOST_POINTS];
+  double moved = 0.;
+
+  for (int side = -1; side <= 1; side += 2) {
+    j->a.par[NUMBER_K_S] = fmin(k_s * (1. + 1e-10 * side), MLG_RIGID);
+    const int n = libmlg_boundary_points(j->a.layout, j->a.par, 0., 0., V_top, point, LIBMLG_MOST_POINTS);
+
+    moved = fmax(moved, difference(point, n, c_d, V));
+  }
+  j->a.par[NUMBER_K_S] = fmin(k_s, MLG_RIGID);
+  return moved;
+}
+
 /* The largest of V_1, V_2, ... at a point. */
 static double largest_V(const struct run_data *run, int part, long i, int points)
 {
@@ -152,12 +168,13 @@ static double compare_run(struct job *j, const struct run_data *run, double tole
       ;
     for (long i = 1; i < run->ending[part].kept; i++) { /* AUTO does not correct the first */
       const double k_s = number_at(run, part, i, "k_s"), b = number_at(run, part, i, "b");
+      const double V_top = 2. * largest_V(run, part, i, points) + 10.;
       int n;
 
       j->a.par[NUMBER_K_S] = fmin(k_s, MLG_RIGID);
       if (!isnan(b))
         j->a.par[NUMBER_B] = b;
-      n = libmlg_boundary_points(j->a.layout, j->a.par, 0., 0., 2. * largest_V(run, part, i, points) + 10., point, LIBMLG_MOST_POINTS);
+      n = libmlg_boundary_points(j->a.layout, j->a.par, 0., 0., V_top, point, LIBMLG_MOST_POINTS);
       /* at an onset two exact points are one, to the root of rounding: past it */
       for (int k = 1; k <= points; k++) {
         char c[16], V[16];
@@ -168,6 +185,11 @@ static double compare_run(struct job *j, const struct run_data *run, double tole
         if (k == 1 && (fabs(number_at(run, part, i, "fold")) < 1e-3 || (points == 1 && strcmp(point_type(&run->all, p, i), "LP") == 0)))
           continue;
         apart = difference(point, n, number_at(run, part, i, c), number_at(run, part, i, V));
+        if (!(apart < tolerance)) { /* near a fold in k_s its digits decide */
+          const double digits = rounding(j, k_s, number_at(run, part, i, c), number_at(run, part, i, V), V_top);
+
+          apart = digits < 1e-6 ? fmax(0., apart - digits) : apart;
+        }
         worst = fmax(worst, apart);
         (*compared)++;
         if (!(apart < tolerance))
