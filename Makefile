@@ -59,7 +59,7 @@ setup: build/auto.mk ## packages and AUTO only
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
-need_test_packages := prove bench test% check-scripts certify% verify build/bin/eigen-%
+need_test_packages := prove bench test% check-scripts verify build/bin/eigen-%
 auto_given := $(AUTO_DIR)
 ifneq ($(filter-out help clean distclean test check-fresh libmlg build/lib/% build/bin/mlg drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
@@ -104,10 +104,6 @@ build/bin/$(1)-%: scripts/$(1).c models/%.c Makefile
 	@$$(call compiled,$$(CC) $$(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$$*.c"' $$< $(2) -lm)
 endef
 $(foreach tool,scan curves,$(eval $(call tool_rule,$(tool))))
-
-.PHONY: sections
-sections: $(models) ## what follows past the torus points of Figure 6 (docs/simulate.md)
-	@scripts/sections.sh
 
 build/models/%.boundary.exe: build/models/%.device.o build/models/boundary.o
 	@$(call whole,$(AUTO_FC) $^ $(AUTO_LINK))
@@ -191,7 +187,8 @@ parts_damping := planes search
 parts_transients := paper best
 parts_layouts := li3 li4 li5
 parts_certify := l1 l2 li1 li2
-studies := damping transients layouts certify
+parts_sections := past tori elsewhere
+studies := damping transients layouts certify sections
 
 # A part of a figure's runs by itself, so that -j2 makes them side by side; the figure.
 define figure_rules
@@ -212,7 +209,8 @@ fig07.torus_psi_up fig07.torus_psi_down fig07.torus_delta filmstrip.orbits: fig0
 fig10: fig09
 
 $(parts_transients:%=transients.%): damping
-$(parts_certify:%=certify.%): $(layouts:%=build/bin/eigen-%)
+$(parts_sections:%=sections.%): sections.branches
+sections.branches: fig06.a
 
 export MLG_ASKED := $(or $(filter $(figures) $(studies),$(goals)),$(figures))
 export MLG_STARTED := $(shell date +%s)
@@ -227,8 +225,9 @@ fig14: ## Figure 14: Hopf curves for several k_s and b, layout LI2
 fig15: ## Figure 15: zero-shimmy regions and largest width, layout LI2
 filmstrip: ## solutions A and B of Figure 6 over a period: the gear from above and behind
 layouts: ## layouts LI3, LI4 and LI5: diagrams, boundary points, widths (docs/layouts.md)
-damping: ## least damping ratios of every layout, a minute or two (docs/damping.md)
+damping: ## least damping ratios of every layout, a minute (docs/damping.md)
 transients: ## peaks and settling times after a disturbance, four minutes more (docs/damping.md)
+sections: ## what follows past the torus points of Figure 6 (docs/simulate.md)
 certify: ## do oscillations reach into the zero-shimmy regions? (docs/certification.md)
 
 # --- drawings of the gear and of each layout, docs/drawings ------------------

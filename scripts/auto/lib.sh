@@ -97,6 +97,7 @@ sources() {
 # Sets k_s, b, c_lo, c_hi: the gear whose interval c_lo to c_hi of c_d the paper calls best.
 # For LI2 the paper gives b only: k_s is just below the onset of the delta region, where the
 # interval is widest.
+# shellcheck disable=SC2034 # for who asks
 paper_gear() { # LAYOUT
   case $1 in
     l1) k_s=1e30 b=0 ;;

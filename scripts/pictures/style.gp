@@ -28,3 +28,4 @@ pick(words) = "< build/bin/mlg pick ".words
 cell(words) = system("build/bin/mlg cell " . words)
 number(words) = real(cell("format=%.10e " . words)) # of "4e5" gnuplot makes none
 where(file, column, value) = pick(sprintf("%s '%s=%s'", file, column, value))
+value_of(words) = real(system("build/bin/mlg pick ".words)) # not of "4e5", see number
