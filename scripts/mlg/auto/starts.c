@@ -124,19 +124,25 @@ static int is_interval(struct job *j, double k_s, double lo, double hi)
   return 0;
 }
 
-/* How far c_d moves, relative, when k_s moves by a unit of the last digit that AUTO writes. */
-static double rounding(struct job *j, double k_s, double c_d, double V, double V_top)
+/* How far c_d moves, relative, when k_s and b move by a unit of the last digit that AUTO writes. */
+static double rounding(struct job *j, double c_d, double V, double V_top)
 {
+  const double k_s = j->a.par[NUMBER_K_S], b = j->a.par[NUMBER_B];
   struct libmlg_point point[LIBMLG_MOST_POINTS];
   double moved = 0.;
 
-  for (int side = -1; side <= 1; side += 2) {
-    j->a.par[NUMBER_K_S] = fmin(k_s * (1. + 1e-10 * side), MLG_RIGID);
+  for (int side = 0; side < 4; side++) {
+    j->a.par[NUMBER_K_S] = k_s < MLG_RIGID ? k_s * (1. + (side & 1 ? 1e-10 : -1e-10)) : k_s;
+    j->a.par[NUMBER_B] = b * (1. + (side & 2 ? 1e-10 : -1e-10));
     const int n = libmlg_boundary_points(j->a.layout, j->a.par, 0., 0., V_top, point, LIBMLG_MOST_POINTS);
 
-    moved = fmax(moved, difference(point, n, c_d, V));
+    const double here = difference(point, n, c_d, V);
+
+    if (here < 1e-6) /* past the fold there is none */
+      moved = fmax(moved, here);
   }
-  j->a.par[NUMBER_K_S] = fmin(k_s, MLG_RIGID);
+  j->a.par[NUMBER_K_S] = k_s;
+  j->a.par[NUMBER_B] = b;
   return moved;
 }
 
@@ -176,19 +182,22 @@ static double compare_run(struct job *j, const struct run_data *run, double tole
         j->a.par[NUMBER_B] = b;
       n = libmlg_boundary_points(j->a.layout, j->a.par, 0., 0., V_top, point, LIBMLG_MOST_POINTS);
       /* at an onset two exact points are one, to the root of rounding: past it */
+      const int onset = fabs(number_at(run, part, i, "fold")) < 1e-3 || number_at(run, part, i, "closing") == 0.
+                        || (points == 1 && strcmp(point_type(&run->all, p, i), "LP") == 0);
+
       for (int k = 1; k <= points; k++) {
         char c[16], V[16];
         double apart;
 
         snprintf(c, sizeof c, "c_%d", k);
         snprintf(V, sizeof V, "V_%d", k);
-        if (k == 1 && (fabs(number_at(run, part, i, "fold")) < 1e-3 || (points == 1 && strcmp(point_type(&run->all, p, i), "LP") == 0)))
+        if ((k == 1 || n < 0) && onset)
           continue;
         apart = difference(point, n, number_at(run, part, i, c), number_at(run, part, i, V));
         if (!(apart < tolerance)) { /* near a fold in k_s its digits decide */
-          const double digits = rounding(j, k_s, number_at(run, part, i, c), number_at(run, part, i, V), V_top);
+          const double digits = rounding(j, number_at(run, part, i, c), number_at(run, part, i, V), V_top);
 
-          apart = digits < 1e-6 ? fmax(0., apart - digits) : apart;
+          apart = fmax(0., apart - digits);
         }
         worst = fmax(worst, apart);
         (*compared)++;
