@@ -98,15 +98,15 @@ static int run_starts(int argc, char *argv[])
 
 /* --- mlg agree ----------------------------------------------------------------------- */
 
-/* Relative difference of c_d between a point of AUTO's and the nearest exact one. */
-static double difference(const struct libmlg_point point[], int n, double c_d, double V)
+/* The c_d of the exact point nearest to one of AUTO's; infinite: there is none. */
+static double nearest(const struct libmlg_point point[], int n, double c_d, double V)
 {
-  double least = INFINITY;
+  double best = INFINITY;
 
   for (int i = 0; i < n; i++)
-    if (fabs(point[i].V - V) < 1e-2 * (1. + V))
-      least = fmin(least, fabs(point[i].c_d / c_d - 1.));
-  return least;
+    if (fabs(point[i].V - V) < 1e-2 * (1. + V) && fabs(point[i].c_d - c_d) < fabs(best - c_d))
+      best = point[i].c_d;
+  return best;
 }
 
 /* Whether from lo to hi there is no shimmy, a hair on the softer side of the onset that may
@@ -124,7 +124,7 @@ static int is_interval(struct job *j, double k_s, double lo, double hi)
   return 0;
 }
 
-/* How far c_d moves, relative, when k_s and b move by a unit of the last digit that AUTO writes. */
+/* How far an exact c_d moves, relative, when k_s and b move by a unit of the last digit that AUTO writes. */
 static double rounding(struct job *j, double c_d, double V, double V_top)
 {
   const double k_s = j->a.par[NUMBER_K_S], b = j->a.par[NUMBER_B];
@@ -136,7 +136,7 @@ static double rounding(struct job *j, double c_d, double V, double V_top)
     j->a.par[NUMBER_B] = b * (1. + (side & 2 ? 1e-10 : -1e-10));
     const int n = libmlg_boundary_points(j->a.layout, j->a.par, 0., 0., V_top, point, LIBMLG_MOST_POINTS);
 
-    const double here = difference(point, n, c_d, V);
+    const double here = fabs(nearest(point, n, c_d, V) / c_d - 1.);
 
     if (here < 1e-6) /* past the fold there is none */
       moved = fmax(moved, here);
@@ -193,12 +193,11 @@ static double compare_run(struct job *j, const struct run_data *run, double tole
         snprintf(V, sizeof V, "V_%d", k);
         if ((k == 1 || n < 0) && onset)
           continue;
-        apart = difference(point, n, number_at(run, part, i, c), number_at(run, part, i, V));
-        if (!(apart < tolerance)) { /* near a fold in k_s its digits decide */
-          const double digits = rounding(j, number_at(run, part, i, c), number_at(run, part, i, V), V_top);
+        const double exact = nearest(point, n, number_at(run, part, i, c), number_at(run, part, i, V));
 
-          apart = fmax(0., apart - digits);
-        }
+        apart = fabs(exact / number_at(run, part, i, c) - 1.);
+        if (!(apart < tolerance) && isfinite(exact)) /* near a fold in k_s its digits decide */
+          apart = fmax(0., apart - rounding(j, exact, number_at(run, part, i, V), V_top));
         worst = fmax(worst, apart);
         (*compared)++;
         if (!(apart < tolerance))
