@@ -203,6 +203,10 @@ static int find_events(const struct crossing *x, double V_least, double V_top, s
     add_extremum(e, x, &at[i]);
   add_edges(e, x, V_least, LIBMLG_BOTTOM);
   add_edges(e, x, V_top, LIBMLG_TOP);
+  qsort(e->event, (size_t)e->n, sizeof *e->event, by_c);
+  for (int i = 0; i + 2 < e->n; i++) /* a least and a largest c may be that near, no third */
+    if (is_near(&e->event[i].at, &e->event[i + 1].at) && is_near(&e->event[i + 1].at, &e->event[i + 2].at))
+      merge_cluster(e, x, V_least, V_top, i);
   do {
     qsort(e->event, (size_t)e->n, sizeof *e->event, by_c);
     misfit = -1;
