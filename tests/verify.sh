@@ -52,7 +52,7 @@ for part in "${parts[@]}"; do sed "s/^/$part,/" "$rows/$part.csv"; done | awk -F
     difference = $4 - $5
     if (difference < 0) difference = -difference
     split($6, limit, " ")
-    if (limit[2] == "" && $5 != 0) difference /= $5 < 0 ? -$5 : $5
+    if (limit[2] == "" && $5 + 0 != 0) difference /= $5 < 0 ? -$5 : $5
     pass = NF == 6 && $4 ~ number && $5 ~ number && limit[1] ~ number && difference <= limit[1]
     printf "%s,%s,%s,%s,%s,%.1e,%s,%s\n", $1, $2, $3, $4, $5, difference, $6, pass ? "yes" : "no"
   }' > "$rows/table"

@@ -293,8 +293,8 @@ static int run(int argc, char *argv[])
 }
 
 const struct command command_pick = {
-  "pick", "TABLE [where=NAME=TEXT]... [columns=NAME[*FACTOR][:FORMAT],...] [blocks=NAME,...] [first=NAME] [every=N]\n"
-  "     [head]",
+  "pick", "TABLE [where=NAME=TEXT]... [columns=NAME[*FACTOR][:FORMAT],...] [blocks=NAME,...]\n"
+  "     [first=NAME] [every=N] [head]",
   "rows and columns of a table in CSV, by the names of its columns",
   "where: rows in which all of these hold: NAME=TEXT or NAME!=TEXT (a number by its value, other\n"
   "text as the shell's * ? [] say), NAME<NUMBER, NAME>NUMBER.  columns: these, in this order,\n"
