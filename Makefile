@@ -206,8 +206,8 @@ $(foreach figure,$(figures) $(studies),$(eval $(call figure_rules,$(figure))))
 fig07.hopf: fig06.a fig06.c
 fig07.torus_psi_up fig07.torus_psi_down fig07.torus_delta filmstrip.orbits: fig06.a
 
-# its diagram (a) is one of Figure 9
-fig10: fig09
+# its diagram (a) is one of Figure 9, and L2 is LI2 at b = 0
+fig10: fig09 fig15
 
 $(parts_transients:%=transients.%): damping
 $(parts_sections:%=sections.%): sections.branches
