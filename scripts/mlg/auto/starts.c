@@ -263,6 +263,7 @@ const struct command command_agree = {
   .details =
     "RUNs of boundary.point, boundary.width or boundary.rival.  Status 1, and a line for each:\n"
     "a point that differs by more than the tolerance, relative, in c_d or where that moves\n"
-    "faster in k_s, from every exact boundary point; an interval at a labelled point in which there is shimmy.\n",
+    "faster in k_s, from every exact boundary point; an interval at a labelled point in which\n"
+    "there is shimmy.\n",
   .run = run_agree,
 };
