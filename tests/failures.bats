@@ -330,7 +330,7 @@ full() {
     rm -f build/stamps/*
     # shellcheck disable=SC2086 # a script and its argument
     run -1 full 1 scripts/$step
-    [[ $output == *': cannot write the output: File too large' || $output == *': write error'* || $output == *'File too large'*$'\n'*"${step% *}:"*': failed: '* ]]
+    [[ $output == *'File too large'* ]]
     sha256sum --check --quiet kept.sums
   done
   # and with room again all is as before
@@ -372,7 +372,7 @@ full() {
 
 @test "tables that cannot be made leave the ones before as they were" {
   local part
-  rm -rf build/runs/fig06.*
+  rm -rf build/runs/fig06.* results build/tables
   mkdir -p results build/tables
   cp "$ROOT"/results/*.csv results
   : >build/tables/points.fig06.csv
