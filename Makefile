@@ -322,10 +322,11 @@ build/tests/libmlg.a: $(checked_library) build/tests/libmlg/gear.o
 build/tests/integrate build/tests/criticality: with = build/tests/libmlg.a $(lapack) $(sundials)
 build/tests/integrate build/tests/criticality: build/tests/libmlg.a
 
+# compiled in an eighth of the time, and hardly slower
 $(layout_tests): build/tests/layout-%: tests/test_layout.c models/%.c build/tests/libmlg.a build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> $@"
-	@$(call compiled,$(CC) $(TEST_CFLAGS) $(to_test_layout) $< build/tests/libmlg.a -lcmocka $(lapack) -lm)
+	@$(call compiled,$(CC) $(TEST_CFLAGS) -O0 $(to_test_layout) $< build/tests/libmlg.a -lcmocka $(lapack) -lm)
 
 $(oracles): build/bin/eigen-%: tests/eigen.c models/%.c build/auto.mk Makefile
 	@mkdir -p $(@D)
