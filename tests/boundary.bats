@@ -214,7 +214,7 @@ END
 }
 
 @test "regions: every bound is a boundary by the eigenvalues, and there is no shimmy between" {
-  local layout b k_s c_lo c_hi V_lo V_hi n
+  local layout b k_s c_lo c_hi n
   for case in l2 li1:140 li5:100; do
     IFS=: read -r layout b <<<"$case"
     # shellcheck disable=SC2086
