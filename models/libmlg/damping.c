@@ -41,6 +41,29 @@ static int complete(const struct libmlg_layout *l, double slots[], struct libmlg
   return status;
 }
 
+int libmlg_modes(int layout, const double par[], struct libmlg_mode mode[], int most, int *grows)
+{
+  const struct libmlg_layout *l = libmlg_find(layout);
+  double slots[MLG_SLOTS], re[LIBMLG_MOST_STATES], im[LIBMLG_MOST_STATES];
+  int modes = 0;
+
+  if (!l)
+    return LIBMLG_NONE;
+  libmlg_slots(par, slots);
+  const int n = libmlg_spectrum(l, slots, re, im);
+
+  *grows = 0;
+  for (int i = 0; i < n; i++) {
+    *grows |= im[i] == 0. && re[i] > 0.;
+    if (im[i] > 0. && modes < most) {
+      if (libmlg_mode_near(l, slots, re[i], im[i], &mode[modes], NULL, NULL) != 0)
+        return LIBMLG_FAILED;
+      mode[modes++].V = slots[PAR_V];
+    }
+  }
+  return n < 0 ? n : modes;
+}
+
 struct at { const struct libmlg_layout *l; double slots[MLG_SLOTS]; int status; };
 
 static double negative_zeta(double V, void *data)
