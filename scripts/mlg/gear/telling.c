@@ -67,12 +67,12 @@ static void choose(const struct band band[], int i, const char *which)
 /* The band with most Hopf points within two decades of the device's scale. */
 static int busiest(const struct band band[], int bands, double scale)
 {
-  int best = 0;
+  int best = -1;
 
-  for (int i = 1; i < bands; i++)
-    if (band[i].hopf > band[best].hopf && band[i].c_d > scale / 100. && band[i].c_d < scale * 100.)
+  for (int i = 0; i < bands; i++)
+    if (band[i].c_d > scale / 100. && band[i].c_d < scale * 100. && (best < 0 || band[i].hopf > band[best].hopf))
       best = i;
-  return best;
+  return best < 0 ? 0 : best;
 }
 
 /* Without an interval: from soft to hard, where they show something. */
@@ -93,17 +93,17 @@ static void choose_about(struct arguments *a, struct band band[], int bands, con
   while (last + 1 < bands && band[last].hi < z->hi.c_d * (1. - 1e-9))
     last++;
   if (first > 0) {
-    if (busy != first - 1)
+    if (busy != first - 1 || band[busy].hopf < 4)
       move_to(a, &band[first - 1], fmax(band[first - 1].c_d, z->lo.c_d / 2.));
     choose(band, first - 1, "below");
   }
   choose(band, first, "inside");
   if (last + 1 < bands) {
-    if (busy != last + 1)
+    if (busy != last + 1 || band[busy].hopf < 4)
       move_to(a, &band[last + 1], fmin(band[last + 1].c_d, z->hi.c_d * 2.));
     choose(band, last + 1, "above");
   }
-  if (band[busy].hopf >= 4)
+  if (band[busy].hopf >= 4 && band[busy].c_d > scale_of_c_d(a) / 100.)
     choose(band, busy, "overlap");
 }
 
