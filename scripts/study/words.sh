@@ -71,7 +71,7 @@ build_section() {
   echo
   IFS=, read -r layout _ k_s b lo hi width _ _ _ _ limit _ < <(best_row width) || true
   if [ -n "$layout" ]; then
-    echo "**Widest interval of c_d:** $(name_of "$layout") with k_s = $(number "$k_s") N m/rad and b = $(number "$b") N m s^2/rad: $(interval_words "$lo" "$hi") (width $(number "$width"))$([ -z "$limit" ] || echo "; what ends its growth over k_s: $limit")."
+    echo "**Widest interval of c_d:** $(name_of "$layout") with k_s = $(number "$k_s") N m/rad and b = $(number "$b") N m s^2/rad: $(interval_words "$lo" "$hi") (width $(number "$width"))$([ -z "$limit" ] || echo "; what ends its growth over k_s: $limit")$(awk -v b="$b" -v most="$b_most" 'BEGIN { if (b > 0.999 * most) print "; b is at its bound, and a larger one may do more" }')."
   else
     echo "**No device of these layouts keeps this gear free of shimmy** at all speeds up to $top m/s."
   fi
@@ -89,7 +89,7 @@ build_section() {
     done <<< "$yours"
   fi
   echo "By width; c_d in N m s/rad, V in m/s; least ζ is that of the best c_d at that k_s and b:"
-  { head -n 1 "$folder/designs.csv"; sed 1d "$folder/designs.csv" | sed 's/,inf,\([^,]*,[^,]*,[^,]*,[^,]*,\)/,inf,\1/' | awk -F, '{ w = $7 == "inf" ? 1e300 : $7 + 0; printf "%.10e\t%s\n", w, $0 }' | sort -t '	' -k 1,1gr -s | cut -f 2-; } > "$folder/ranked.csv"
+  awk -F, -f scripts/study/ranked.awk "$folder/designs.csv" > "$folder/ranked.csv"
   table ranked.csv "$designs_columns"
   echo "\"widest\" is over k_s and b; at it a region is born or two bounds meet, so keep k_s a few per cent off it. An interval says that nothing grows; how fast a disturbance dies is the ratio ζ."
   echo
@@ -100,7 +100,7 @@ gear_section() {
   echo "## The gear"
   awk -F, 'NR == 1 || ($1 != "V" && $1 != "c_d" && $1 != "k_s" && $1 != "b")' "$folder/gear.csv" > "$folder/parameters.csv"
   table parameters.csv "parameter=name|unit=unit|value=value:%.6g|the paper's=paper:%.6g|meaning=meaning"
-  table facts.csv "fact=fact|value=value:%.5g|unit=unit|meaning=meaning"
+  table facts.csv "fact=fact|value=value:%.6g|unit=unit|meaning=meaning"
   checks
 }
 
@@ -140,7 +140,7 @@ plane_words() { # LAYOUT
       if (n["psi"] + n["delta"] == 0) { print "No Hopf curve in this plane."; exit }
       printf "%d Hopf curves of psi and %d of delta%s. ", n["psi"], n["delta"], closed ? ", " closed " of them closed" : ""
       if (lp != "") printf "Boundary points, c_d in N m s/rad: %s. ", lp
-      printf "%s\n", hh == "" ? "No double Hopf points." : "Double Hopf points, where psi and delta set in together and torus curves begin: " hh "."
+      printf "%s\n", hh == "" ? "No double Hopf points." : "Double Hopf points, where two oscillations set in together and torus curves begin: " hh "."
     }' "$folder/plane.$1.csv"
 }
 
@@ -148,7 +148,7 @@ branches_words() { # LAYOUT
   awk -F, -v layout="$1" '
     function list(text) { gsub(" ", ", ", text); return text }
     FNR == 1 { next }
-    FILENAME ~ /telling/ { name = $1 "." FNR - 2; order[++n] = name; c[name] = $2; hopf[name] = $3; next }
+    FILENAME ~ /telling/ { name = $1 "." (FNR - 1); order[++n] = name; c[name] = $2; hopf[name] = $3; next }
     $1 == layout {
       count[$2]++
       shape = $13 && $14 ? "stable in part" : $14 ? "unstable" : "stable"
