@@ -67,6 +67,7 @@ check_words() {
 say() { printf '  %-52s %4d s\n' "$1" $((EPOCHSECONDS - MLG_STARTED)); }
 
 study() { # NAME WORD...
+  local used
   study=$1
   check_name "$study"
   case $study in *.*) fail "the name '$study': a study's has no point" 2 ;; esac
@@ -94,6 +95,9 @@ study() { # NAME WORD...
   report > "$folder/report.md"
   page "$folder" "mlg-shimmy: $study" < "$folder/report.md" > "$folder/report.html.new"
   replace "$folder/report.html"
+  # a run that failed leaves none of its files
+  while read -r used; do [ ! -e "$used" ] || echo "$used"; done < "$MLG_USES" | sort -u > "$MLG_USES.new"
+  mv "$MLG_USES.new" "$MLG_USES"
   mlg stamp write "study.$study" "$folder/report.html"
   rm -f "$MLG_USES"
   say "$folder/report.html"

@@ -44,13 +44,27 @@ diagram() { # LAYOUT WHICH C_D
   for ((i = 1; i <= ${#speeds[@]}; i++)); do
     [[ $ended != *" $i "* ]] || continue
     n=$((n + 1))
-    run_or_note "$name.$n" "$layout.periodic" from="$name.straight" IRS="'HB$i'" ILP=1 NPR=10 \
-      DS="$(times "$top" 5e-5)" DSMAX="$(times "$top" 2.5e-3)" UZR="{'torus': [-1e-5, 2e-5]}" \
-      UZSTOP="{'V': [$(times "$start" 0.5), $top], 'psi_max': 60.0, 'dstar_max': 0.3}" -- || continue
+    branch || continue
     rows_of "$name.$n" "$n" ends
     ended+="$(ended_at "$i") "
     cycle "$name.$n" "$n" "$i"
   done
+}
+
+# Shimmy from Hopf point i; at a sharp fold a finer step helps.
+branch() {
+  local finer noted
+  noted=$(cat "$part.failures")
+  for finer in 1 0.3; do
+    if run_or_note "$name.$n" "$layout.periodic" from="$name.straight" IRS="'HB$i'" ILP=1 NPR=10 NMX=1500 \
+      DS="$(times "$top" 5e-5)" DSMAX="$(times "$top" "2.5e-3 * $finer")" UZR="{'torus': [-1e-5, 2e-5]}" \
+      UZSTOP="{'V': [$(times "$start" 0.5), $top], 'psi_max': 60.0, 'dstar_max': 0.3}" --; then
+      settle_failures "$noted"
+      return
+    fi
+  done
+  settle_failures "$noted${noted:+$'\n'}$(tail -n 1 "$part.failures")"
+  return 1
 }
 
 # Straight rolling.  AUTO may step over a Hopf point at one step and not at another.
@@ -66,10 +80,11 @@ straight() {
       return
     fi
   done
+  settle_failures "$noted${noted:+$'\n'}$(tail -n 1 "$part.failures")"
   return 1
 }
 
-settle_failures() { printf '%s' "$1" > "$part.failures"; }
+settle_failures() { printf '%s' "$1${1:+$'\n'}" > "$part.failures"; }
 
 rows_of() { # RUN BRANCH WORD
   mlg rows "$1" prefix="$layout,$which,$c_d,$2" columns=type,V,psi_max,dstar_max,stable:d bifurcations=stable "${@:3}" >> "$part.branches"

@@ -99,11 +99,11 @@ designs() { # LAYOUT
 
 # The best damped device of a layout: a row of its own, for it takes longer than all the rest.
 best_damped() { # LAYOUT
-  local layout=$1 k_s b
+  local layout=$1 k_s b zeta
   has "$layout" k_s || return 0
   made "best.$layout.csv" best "$layout" "${gear[@]}" V_top="$top" b_most="$(has "$layout" b && echo "$b_most" || echo 0)" 2> /dev/null || return 0
-  IFS=, read -r k_s b _ < <(sed 1,2d "$folder/best.$layout.csv") || k_s=
-  [ -z "$k_s" ] || design "$layout" 'best damped' "$k_s" "$b" '' > "$folder/parts/$layout.best"
+  IFS=, read -r k_s b _ zeta _ < <(sed 1,2d "$folder/best.$layout.csv") || k_s=
+  [ -z "$k_s" ] || awk -v zeta="$zeta" 'BEGIN { exit zeta > 0 }' || design "$layout" 'best damped' "$k_s" "$b" '' > "$folder/parts/$layout.best"
 }
 
 # The design whose plane and diagrams are shown: the user's own device, or 2 % of k_s beside the
