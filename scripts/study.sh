@@ -14,7 +14,7 @@
 #         that fails is listed in the page.  Repeated, only what changed is made anew.
 . "$(dirname "$(realpath "$0")")/auto/lib.sh"
 here=$OLDPWD
-export MLG_USES=/dev/null
+export MLG_USES=/dev/null MLG_TIME_LIMIT=${MLG_TIME_LIMIT:-60}
 . scripts/study/exact.sh
 . scripts/study/cycles.sh
 . scripts/study/pictures.sh
@@ -111,7 +111,7 @@ settle() { # FILE
 
 # Markdown on standard input as a page with its pictures in it.
 page() { # FOLDER TITLE
-  sed "s|<title>.*</title>|<title>$2</title>|" scripts/report/head.html
+  sed "s|<title>.*</title>|<title>$2</title>|; s|^</style>|th, td { white-space: nowrap; }\ntd:nth-child(2) { min-width: 0; }\n&|" scripts/report/head.html
   cmark-gfm --extension table | mlg embed "$1"
   printf '</body>\n</html>\n'
 }

@@ -9,9 +9,10 @@ c_d(d) = cell(sprintf("%s c_d layout=%s which=%s", file, layout, d))
 name(d) = d[1:strstrt(d, ".") - 1]
 is(type, y) = strcol(5) eq type ? y : NaN
 stable(y) = column(9) == 1 ? y : NaN
-set terminal svg size 900,(60 + 300*n) dynamic font "DejaVu Sans,14"
+set terminal svg size 900,(40 + 310*n) dynamic font "DejaVu Sans,14"
 set output output
-set multiplot layout n,2 margins screen 0.09,0.985,(0.75*60./(60 + 300*n)),(1 - 45./(60 + 300*n)) spacing screen 0.1,(80./(60 + 300*n))
+height = 40. + 310*n
+set multiplot layout n,2 margins screen 0.09,0.985,55./height,(1. - 35./height) spacing screen 0.1,90./height
 set xrange [0:V_top]; set xlabel "V (m/s)" offset 0,0.4
 do for [i=1:n] {
   d = word(diagrams, i)

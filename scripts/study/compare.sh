@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # compare.sh - two studies side by side; sourced by study.sh
-# shellcheck disable=SC2154 # variables of study.sh
+# shellcheck disable=SC2154,SC2034 # variables of study.sh
 
 compare() { # NAME NAME
   local name folder=build/studies first=$1 second=$2 layouts layout picture

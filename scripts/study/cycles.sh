@@ -56,7 +56,7 @@ branch() {
   local finer noted
   noted=$(cat "$part.failures")
   for finer in 1 0.3; do
-    if run_or_note "$name.$n" "$layout.periodic" from="$name.straight" IRS="'HB$i'" ILP=1 NPR=10 NMX=1500 \
+    if run_or_note "$name.$n" "$layout.periodic" from="$name.straight" IRS="'HB$i'" ILP=1 NPR=10 NMX=1500 ITMX=20 \
       DS="$(times "$top" 5e-5)" DSMAX="$(times "$top" "2.5e-3 * $finer")" UZR="{'torus': [-1e-5, 2e-5]}" \
       UZSTOP="{'V': [$(times "$start" 0.5), $top], 'psi_max': 60.0, 'dstar_max': 0.3}" --; then
       settle_failures "$noted"

@@ -5,7 +5,7 @@
 # interval of each design; limits.LAYOUT.csv (the widest interval over k_s as b grows),
 # regions.LAYOUT.csv (intervals over k_s), and for the base design of a layout
 # plane.LAYOUT.csv, strips.LAYOUT.csv, telling.LAYOUT.csv, critical.LAYOUT.csv.
-# shellcheck disable=SC2154 # variables of study.sh
+# shellcheck disable=SC2154,SC2034 # variables of study.sh
 
 # A command's output as a table of the study; not made again while its words, the gear and mlg
 # are the same.

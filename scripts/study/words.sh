@@ -9,6 +9,8 @@ table() {
   LC_ALL=C.UTF-8 awk -v columns="$2" "${words[@]}" -f scripts/study/markdown.awk "$folder/$1"
 }
 
+stiffness() { case $1 in inf) echo "rigid" ;; *) echo "$(number "$1" "${2:-%.4g}") N m/rad" ;; esac; }
+
 number() { awk -v x="$1" -v f="${2:-%.4g}" 'BEGIN { if (x == "inf") printf "infinity"; else printf f, x }'; }
 
 name_of() { tr '[:lower:]' '[:upper:]' <<< "$1"; } # l1: L1
@@ -71,14 +73,14 @@ build_section() {
   echo
   IFS=, read -r layout _ k_s b lo hi width _ _ _ _ limit _ < <(best_row width) || true
   if [ -n "$layout" ]; then
-    echo "**Widest interval of c_d:** $(name_of "$layout") with k_s = $(number "$k_s") N m/rad and b = $(number "$b") N m s^2/rad: $(interval_words "$lo" "$hi") (width $(number "$width"))$([ -z "$limit" ] || echo "; what ends its growth over k_s: $limit")$(awk -v b="$b" -v most="$b_most" 'BEGIN { if (b > 0.999 * most) print "; b is at its bound, and a larger one may do more" }')."
+    echo "**Widest interval of c_d:** $(name_of "$layout") with k_s = $(stiffness "$k_s") and b = $(number "$b") N m s^2/rad: $(interval_words "$lo" "$hi") (width $(number "$width"))$([ -z "$limit" ] || echo "; what ends its growth over k_s: $limit")$(awk -v b="$b" -v most="$b_most" 'BEGIN { if (b > 0.999 * most) print "; b is at its bound, and a larger one may do more" }')."
   else
     echo "**No device of these layouts keeps this gear free of shimmy** at all speeds up to $top m/s."
   fi
   echo
   IFS=, read -r layout _ k_s b _ _ _ _ _ _ _ _ _ _ c_d zeta V _ mode decay < <(best_row zeta) || true
   if [ -n "$layout" ]; then
-    echo "**Best damped:** $(name_of "$layout") with k_s = $(number "$k_s"), b = $(number "$b"), c_d = $(number "$c_d"): the least damping ratio over all speeds is $(number "$zeta" %.3g), of the $mode mode at $(number "$V") m/s, which decays at $(number "$decay" %.3g) 1/s (to 5 % in $(awk "BEGIN { printf \"%.3g\", log(20) / $decay }") s)."
+    echo "**Best damped:** $(name_of "$layout") with k_s = $(stiffness "$k_s"), b = $(number "$b"), c_d = $(number "$c_d"): the least damping ratio over all speeds is $(number "$zeta" %.3g), of the $mode mode at $(number "$V") m/s, which decays at $(number "$decay" %.3g) 1/s (to 5 % in $(awk "BEGIN { printf \"%.3g\", log(20) / $decay }") s)."
     echo
   fi
   yours=$(grep ',yours,' "$folder/designs.csv" | sort -u -t , -k 1,1 || true)
@@ -144,8 +146,17 @@ plane_words() { # LAYOUT
     }' "$folder/plane.$1.csv"
 }
 
+# The telling c_d without a Hopf point at which straight rolling is unstable at all speeds.
+unstable_throughout() { # LAYOUT
+  local c_d hopf
+  while IFS=, read -r _ c_d hopf; do
+    [ "$hopf" = 0 ] || continue
+    mlg damping "$1" "${gear[@]}" "${base[@]}" c_d="$c_d" V="$(times "$top" 0.5)" | awk -F, -v c_d="$c_d" 'NR == 2 && !($1 > 0) { printf "%s ", c_d }'
+  done < "$folder/telling.$1.csv"
+}
+
 branches_words() { # LAYOUT
-  awk -F, -v layout="$1" '
+  awk -F, -v layout="$1" -v unstable=" $(unstable_throughout "$1")" '
     function list(text) { gsub(" ", ", ", text); return text }
     FNR == 1 { next }
     FILENAME ~ /telling/ { name = $1 "." (FNR - 1); order[++n] = name; c[name] = $2; hopf[name] = $3; next }
@@ -160,6 +171,7 @@ branches_words() { # LAYOUT
         name = order[i]
         what = name; sub(/\..*/, "", what)
         if (count[name]) printf "- %s, c_d = %.5g: %d branch%s%s.\n", what, c[name], count[name], (count[name] > 1 ? "es" : ""), text[name]
+        else if (hopf[name] == 0 && index(unstable, " " c[name] " ")) printf "- %s, c_d = %.5g: no Hopf point, for straight rolling is **unstable at every speed** up to the top.\n", what, c[name]
         else if (hopf[name] == 0) printf "- %s, c_d = %.5g: no Hopf point, straight rolling keeps its stability from 0 to the top.\n", what, c[name]
         else printf "- %s, c_d = %.5g: %d Hopf points, no branch computed.\n", what, c[name], hopf[name]
       }
@@ -179,10 +191,10 @@ layout_section() { # LAYOUT
   echo "Rigid k_s, no inerter: $(intervals_words "$layout")."
   echo
   if has "$layout" k_s; then
-    echo "Shown from here on, $base_name: k_s = $(number "$base_k_s" %.6g) N m/rad$(! has "$layout" b || echo ", b = $(number "$base_b" %.6g) N m s^2/rad"): $(intervals_words "$layout" "${base[@]}")."
+    echo "Shown from here on, $base_name: k_s = $(stiffness "$base_k_s" %.6g)$(! has "$layout" b || echo ", b = $(number "$base_b" %.6g) N m s^2/rad"): $(intervals_words "$layout" "${base[@]}")."
     echo
   fi
-  table designs.csv "${designs_columns#layout=layout|}" layout="$layout"
+  table designs.csv "${designs_columns#*|}" layout="$layout"
   [ ! -s "$folder/plane.$layout.svg" ] || printf '![the V, c_d plane](plane.%s.svg)\n\n%s\n\n' "$layout" "$(plane_words "$layout")"
   if [ -s "$folder/regions.$layout.svg" ]; then
     printf '![intervals over k_s](regions.%s.svg)\n\nGreen: c_d free of shimmy over k_s, at b = %s; the line: the design shown.\n\n' "$layout" "$(number "$base_b")"
