@@ -59,7 +59,7 @@ setup: build/auto.mk ## packages and AUTO only
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
-need_test_packages := prove bench test% check-scripts verify build/bin/eigen-%
+need_test_packages := prove bench test% check-scripts verify study-check build/bin/eigen-%
 auto_given := $(AUTO_DIR)
 ifneq ($(filter-out help clean distclean test check-fresh libmlg build/lib/% build/bin/mlg drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
@@ -339,6 +339,10 @@ build/bin/random-compare: tests/random/compare.c $(random) build/lib/libmlg.a Ma
 	@$(random_cc)
 
 test-programs: build/bin/random-oracle build/bin/random-compare
+
+.PHONY: study-check
+study-check: $(models) build/bin/eigen-l1 build/bin/eigen-li2 ## studies of 10 random gears (gears=30 for more) against the eigenvalues
+	@tests/study/random.sh $(or $(gears),10)
 
 .PHONY: prove
 prove: build/bin/random-compare build/bin/random-oracle ## 2000 random gears, all layouts, against the oracle; two minutes on two cores

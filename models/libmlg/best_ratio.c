@@ -217,7 +217,7 @@ static void zoom(struct search *s, double u, double v, double half_u, double hal
           v = v_j;
         }
       }
-    if (s->best.zeta > before * (1. + 1e-6)) /* the place moves on along a ridge */
+    if (s->best.zeta > before + 1e-6 * fabs(before)) /* the place moves on along a ridge */
       continue;
     half_u *= 0.5;
     half_v *= 0.5;

@@ -7,6 +7,29 @@ static double damping_ratio(double re, double im)
   return re == 0. && im == 0. ? 0. : -re / hypot(re, im);
 }
 
+int libmlg_modes(int layout, const double par[], struct libmlg_mode mode[], int most, int *grows)
+{
+  const struct libmlg_layout *l = libmlg_find(layout);
+  double slots[MLG_SLOTS], re[LIBMLG_MOST_STATES], im[LIBMLG_MOST_STATES];
+  int modes = 0;
+
+  if (!l)
+    return LIBMLG_NONE;
+  libmlg_slots(par, slots);
+  const int n = libmlg_spectrum(l, slots, re, im);
+
+  *grows = 0;
+  for (int i = 0; i < n; i++) {
+    *grows |= im[i] == 0. && re[i] > 0.;
+    if (im[i] > 0. && modes < most) {
+      if (libmlg_mode_near(l, slots, re[i], im[i], &mode[modes], NULL, NULL) != 0)
+        return LIBMLG_FAILED;
+      mode[modes++].V = slots[PAR_V];
+    }
+  }
+  return n < 0 ? n : modes;
+}
+
 int libmlg_least_damped(int layout, const double par[], struct libmlg_mode *mode)
 {
   const struct libmlg_layout *l = libmlg_find(layout);

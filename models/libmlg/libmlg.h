@@ -112,6 +112,11 @@ struct libmlg_mode {
   double delta_over_psi; /* ratio of amplitudes; above 1 it is delta-shimmy */
 };
 
+/* All oscillations at the V of par[], above 0, by falling growth, the first `most` of them
+ * into mode[]; and *grows: whether a real eigenvalue does (divergence).  Returns their
+ * number, LIBMLG_NONE or LIBMLG_FAILED as libmlg_eigenvalues. */
+int libmlg_modes(int layout, const double par[], struct libmlg_mode mode[], int most, int *grows);
+
 /* The mode of the least damping ratio at the V of par[], above 0 (over all V:
  * libmlg_least_ratio).  A real eigenvalue does not oscillate: it has zeta = 1 and never
  * counts; one that grows (divergence) has -1 and always does.

@@ -22,14 +22,18 @@
   X(widest)         /* gear/regions.c */ \
   X(limits)         /* gear/limits.c */ \
   X(curves)         /* gear/curves.c */ \
+  X(plane)          /* gear/plane.c */ \
+  X(telling)        /* gear/telling.c */ \
   X(eigenvalues)    /* gear/eigenvalues.c */ \
   X(damping)        /* gear/damping.c */ \
+  X(best)           /* gear/best.c */ \
   X(transients)     /* gear/transients.c */ \
   X(criticality)    /* gear/criticality.c */ \
   X(simulate)       /* gear/simulate.c */ \
   X(search)         /* gear/search.c */ \
   X(draw)           /* gear/draw.c */ \
   X(gear)           /* gear/gear.c */ \
+  X(gearinfo)       /* gear/gearinfo.c */ \
   X(constants)      /* auto/checking.c */ \
   X(run)            /* auto/run.c */ \
   X(judge)          /* auto/judging.c */ \

@@ -5,6 +5,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "plane.h"
 
 /* of AUTO's pseudo-arclength in (V, c_d): THL of constants/c.LAYOUT.hopf */
 static double auto_distance(const struct libmlg_curve_point *a, const struct libmlg_curve_point *b)
@@ -79,8 +80,7 @@ static const char *shimmy(double delta_over_psi)
   return delta_over_psi > 1. ? "delta" : "psi";
 }
 
-/* What a curve bounds, at its first extremum or halfway. */
-static const char *shimmy_of(const struct arguments *a, const struct libmlg_curve *curve)
+const char *shimmy_of_curve(const struct arguments *a, const struct libmlg_curve *curve)
 {
   const struct libmlg_curve_point *p = &curve->point[curve->n / 2];
   double par[LIBMLG_MOST_PARAMETERS];
@@ -116,7 +116,7 @@ static void print_curve(const struct arguments *a, const struct libmlg_plane *pl
   /* so near that no other Hopf point disturbs the search for this one */
   const double reach = V_range < 1. ? V_range / 1000. : 0.001;
 
-  printf("%d,%s,%s,%.12g,%.12g,%.12g,%.12g,%.6g,", number, curve->closed ? "closed" : "open", shimmy_of(a, curve), p[start].c_d,
+  printf("%d,%s,%s,%.12g,%.12g,%.12g,%.12g,%.6g,", number, curve->closed ? "closed" : "open", shimmy_of_curve(a, curve), p[start].c_d,
          p[start].V, p[start].V - reach, p[start].V + reach, reach / 4.);
   if (curve->closed)
     printf("%.14g", 2. * MLG_PI / p[curve->n - 1 - start / 2].omega);

@@ -1,0 +1,29 @@
+# cycle.awk - one branch of shimmy as a row of cycles.csv (cycles.sh)
+#   lines type,V,psi_max,dstar_max,stable: its points; orbit,phase,t,psi,dstar,lambda_L,lambda_R
+#   (degrees, metres): orbits on it.  row: the cells before; e: phi l_delta a k_t F_z l alpha_m
+# slip: largest slip angle over alpha_m; roll: largest unloading a mu k_t/2 over F_z/2, mu of (16)
+BEGIN {
+  FS = OFS = ","
+  split(e, v, " ")
+  degree = atan2(0, -1) / 180
+}
+function size(x) { return x < 0 ? -x : x }
+$1 == "orbit" {
+  mu = sin(v[1]) * sin($4 * degree) + cos(v[1]) * sin($5 / v[2]) * cos($4 * degree)
+  mu = atan2(mu, sqrt(1 - mu * mu))
+  if (size(v[3] * mu * v[4] / v[5]) > roll) roll = size(v[3] * mu * v[4] / v[5])
+  for (k = 6; k <= 7; k++) if (size(atan2($k, v[6])) / v[7] > slip) slip = size(atan2($k, v[6])) / v[7]
+  next
+}
+{
+  if (!n++) from = to = $2
+  if ($2 + 0 < from + 0) from = $2
+  if ($2 + 0 > to + 0) to = $2
+  if ($3 + 0 > psi) psi = $3 + 0
+  if ($4 + 0 > dstar) dstar = $4 + 0
+  if ($1 == "TR") torus = torus (torus == "" ? "" : " ") $2
+  if ($1 == "LP") folds = folds (folds == "" ? "" : " ") $2
+  if ($5 == 1) stable++
+  if ($5 == 0 && $5 != "") unstable++
+}
+END { if (n) print row, from, to, psi, dstar, torus, folds, stable + 0, unstable + 0, sprintf("%.3g", slip), sprintf("%.3g", roll) }

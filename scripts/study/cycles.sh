@@ -1,0 +1,170 @@
+# shellcheck shell=bash
+# cycles.sh - what a study has from AUTO: shimmy along V at the telling c_d of each base
+# design, and by integration its decay; sourced by study.sh
+#
+# In build/studies/NAME: branches.csv (points of the branches), cycles.csv (a row for each
+# branch), failures.csv (runs that failed, and why), transients.csv, history.LAYOUT.csv.
+# Each diagram is a job of its own, one for each processor.
+# shellcheck disable=SC2154 # variables of study.sh
+
+# Settings of the runs from the exact Hopf speeds: AUTO is to step over no two of them.
+run_settings() { # FINER < speeds of Hopf points, one a line
+  awk -v top="$top" -v finer="$1" '
+    { V[++n] = $1 }
+    END {
+      step = finer * top / 2000
+      from = n && V[1] / 2 < top / 200 ? V[1] / 2 : top / 200
+      if (n && (V[1] - from) / 3 < step) step = (V[1] - from) / 3
+      for (i = 2; i <= n; i++) if ((V[i] - V[i - 1]) / 3 < step) step = (V[i] - V[i - 1]) / 3
+      if (step < top / 40000) step = top / 40000
+      printf "V=%.8g DS=%.8g DSMAX=%.8g NMX=%d\n", from, step, step, 3 * top / step + 1000
+    }'
+}
+
+# run_or_note NAME ...: a run; one that fails is noted, with its reason.
+run_or_note() {
+  local error
+  error=$(mlg run "$@" 2>&1 > /dev/null) && return
+  echo "$1,\"$(head -n 1 <<< "${error//\"/}" | cut -d : -f 2-)\"" >> "$part.failures"
+  return 1
+}
+
+# One diagram: straight rolling, and every branch of shimmy that begins at one of its Hopf
+# points and has not ended another.
+diagram() { # LAYOUT WHICH C_D
+  local layout=$1 which=$2 c_d=$3 part name speeds settings i n=0 start
+  part=$folder/parts/$layout.$which name=$layout.$which
+  : > "$part.failures"
+  : > "$part.branches"
+  : > "$part.cycles"
+  mapfile -t speeds < <(mlg hopf "$layout" c_d="$c_d" "${gear[@]}" V_top="$top" "${base[@]}" | sed 1,2d | cut -d , -f 2)
+  straight || return 0
+  rows_of "$name.straight" straight every=50
+  local ended=' '
+  for ((i = 1; i <= ${#speeds[@]}; i++)); do
+    [[ $ended != *" $i "* ]] || continue
+    n=$((n + 1))
+    branch || continue
+    rows_of "$name.$n" "$n" ends
+    ended+="$(ended_at "$i") "
+    cycle "$name.$n" "$n" "$i"
+  done
+}
+
+# Shimmy from Hopf point i; at a sharp fold a finer step helps.
+branch() {
+  local finer noted
+  noted=$(cat "$part.failures")
+  for finer in 1 0.3; do
+    if run_or_note "$name.$n" "$layout.periodic" from="$name.straight" IRS="'HB$i'" ILP=1 NPR=10 NMX=1500 ITMX=20 \
+      DS="$(times "$top" 5e-5)" DSMAX="$(times "$top" "2.5e-3 * $finer")" UZR="{'torus': [-1e-5, 2e-5]}" \
+      UZSTOP="{'V': [$(times "$start" 0.5), $top], 'psi_max': 60.0, 'dstar_max': 0.3}" --; then
+      settle_failures "$noted"
+      return
+    fi
+  done
+  settle_failures "$noted${noted:+$'\n'}$(tail -n 1 "$part.failures")"
+  return 1
+}
+
+# Straight rolling.  AUTO may step over a Hopf point at one step and not at another.
+straight() {
+  local finer noted
+  noted=$(cat "$part.failures")
+  for finer in 1 0.37 0.13; do
+    read -ra settings < <(printf '%s\n' "${speeds[@]}" | sed '/^$/d' | run_settings $finer)
+    start=${settings[0]#V=}
+    if run_or_note "$name.straight" "$layout.straight" "${gear[@]}" "${base[@]}" c_d="$c_d" "${settings[@]}" \
+      UZSTOP="{'V': $top}" -- HB="${#speeds[@]}"; then
+      settle_failures "$noted"
+      return
+    fi
+  done
+  settle_failures "$noted${noted:+$'\n'}$(tail -n 1 "$part.failures")"
+  return 1
+}
+
+settle_failures() { printf '%s' "$1${1:+$'\n'}" > "$part.failures"; }
+
+rows_of() { # RUN BRANCH WORD
+  mlg rows "$1" prefix="$layout,$which,$c_d,$2" columns=type,V,psi_max,dstar_max,stable:d bifurcations=stable "${@:3}" >> "$part.branches"
+}
+
+# The number of the Hopf point, other than that where it began, that the branch n ends on.
+ended_at() { # NUMBER
+  local last
+  last=$(grep "^$layout,$which,$c_d,$n,HB," "$part.branches" | tail -n 1 | cut -d , -f 6)
+  printf '%s\n' "${speeds[@]}" | awk -v last="${last:-x}" -v began="$1" -v top="$top" '
+    NR != began && last != "x" && ($1 - last) ^ 2 < (1e-3 * top) ^ 2 { print NR; exit }'
+}
+
+# A row of cycles.csv: how large it is, where it is stable, and how far it leaves what the model
+# holds for, from all orbits that AUTO kept.
+cycle() { # RUN BRANCH NUMBER
+  local closed=0 shimmy label
+  ! mlg judge "$1" | grep -q closed || closed=1
+  shimmy=$(mlg shimmy "$1" 2> /dev/null) || shimmy='?'
+  {
+    sed -n "s/^$layout,$which,$c_d,$2,//p" "$part.branches"
+    for label in $(mlg table "$1" labels | awk -F, '!/^#/ && $1 + 0 { print $2 }'); do
+      mlg orbit "$1" "$label" phases=48 prefix=orbit 2> /dev/null || true
+    done
+  } | awk -v row="$layout,$which,$c_d,$2,$shimmy,$closed" -v e="$(gear_values)" -f scripts/study/cycle.awk >> "$part.cycles"
+}
+
+gear_values() { awk -F, '{ v[$1] = $2 } END { print v["phi"], v["l_delta"], v["a"], v["k_t"], (v["M"] + v["m_D"]) * v["g"], v["l"], v["alpha_m"] }' "$folder/gear.csv"; }
+
+# Peaks and settling after the standard disturbances at the base design's best c_d, at the speed
+# of its least ratio and at half of V_top.
+decay() { # LAYOUT
+  local layout=$1 c_d zeta V part=$folder/parts/$1.decay
+  : > "$part.transients"
+  IFS=, read -r _ _ c_d zeta V _ < <(mlg best "$layout" "${gear[@]}" V_top="$top" "${base[@]}" ${own_c_d:+c_d="$own_c_d"} | sed 1,2d) || return 0
+  awk -v zeta="$zeta" 'BEGIN { exit !(zeta > 0) }' || return 0
+  awk -v V="$V" -v top="$top" 'BEGIN { exit !(V > top / 1000) }' || V=$(times "$top" 0.005)
+  for V in "$V" "$(times "$top" 0.5)"; do
+    mlg transients "$layout" "${gear[@]}" V_top="$top" "${base[@]}" c_d="$c_d" V="$V" t_end=20 2> /dev/null |
+      sed "1d; s/^/$layout,$c_d,/" >> "$part.transients" || return 0
+  done
+  mlg simulate "$layout" history "${gear[@]}" "${base[@]}" c_d="$c_d" V="$(sed -n '1s/^[^,]*,[^,]*,\([^,]*\),.*/\1/p' "$part.transients")" dpsi=1 t_end=2 dt=0.002 > "$folder/history.$layout.csv"
+}
+
+# All jobs, side by side; on a terminal a line for each that begins.
+cycles() {
+  local layout which c_d jobs=() one n ended
+  for layout in $layouts; do
+    ! has "$layout" k_s || jobs+=("best_damped $layout")
+    [ "$exact" = no ] || continue
+    n=0
+    while IFS=, read -r which c_d _; do
+      [ "$which" = which ] || jobs+=("diagram $layout $which.$n $c_d")
+      n=$((n + 1))
+    done < "$folder/telling.$layout.csv"
+    jobs+=("decay $layout")
+  done
+  rm -f "$folder"/history.*.csv
+  n=0
+  for one in "${jobs[@]}"; do
+    read -r _ layout _ <<< "$one"
+    get_base "$layout"
+    # shellcheck disable=SC2086 # words
+    job $one
+    n=$((n + 1))
+    [ ! -t 1 ] || say "[$n of ${#jobs[@]}] ${one/diagram /}"
+  done
+  wait
+  gather branches layout,which,c_d,branch,type,V,psi_max,dstar_max,stable
+  gather cycles layout,which,c_d,branch,shimmy,closed,V_from,V_to,psi_max,dstar_max,torus,folds,stable,unstable,slip,roll
+  gather failures run,reason
+  find "$folder/parts" -name '*.best' | sort | xargs -r cat >> "$folder/designs.csv"
+  gather transients layout,c_d,V,disturbance,psi_max,dstar_max,psi_5,psi_end,dstar_5,dstar_end,rate,zeta,limits
+  ended=$(($(wc -l < "$folder/failures.csv") - 1))
+  [ "$exact" = yes ] || say "AUTO: ${#jobs[@]} jobs, $(($(wc -l < "$folder/cycles.csv") - 1)) branches, $ended runs failed"
+}
+
+gather() { # TABLE HEAD
+  {
+    echo "$2"
+    find "$folder/parts" -name "*.$1" | sort | xargs -r cat
+  } > "$folder/$1.csv"
+}

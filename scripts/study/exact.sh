@@ -1,0 +1,216 @@
+# shellcheck shell=bash
+# exact.sh - what a study has from the algebra alone; sourced by study.sh
+#
+# In build/studies/NAME: gear.csv, facts.csv; designs.csv, one row for each zero-shimmy
+# interval of each design; limits.LAYOUT.csv (the widest interval over k_s as b grows),
+# regions.LAYOUT.csv (intervals over k_s), and for the base design of a layout
+# plane.LAYOUT.csv, strips.LAYOUT.csv, telling.LAYOUT.csv, critical.LAYOUT.csv.
+# shellcheck disable=SC2154,SC2034 # variables of study.sh
+
+# A command's output as a table of the study; not made again while its words, the gear and mlg
+# are the same.
+made() { # TABLE COMMAND WORD...
+  local table=$folder/$1 key
+  key="$binary $gear_sum ${*:2}"
+  if [ -s "$table" ] && [ "$(cat "$folder/keys/$1" 2> /dev/null)" = "$key" ]; then return; fi
+  mkdir -p "$folder/keys"
+  rm -f "$folder/keys/$1"
+  mlg "${@:2}" > "$table.new" || return
+  mv "$table.new" "$table"
+  echo "$key" > "$folder/keys/$1"
+}
+
+# A gear file of the study's own, without what belongs to a device: own_k_s, own_b, own_c_d.
+read_gear() {
+  local name value given values=''
+  mkdir -p "$folder"
+  if ! mlg gearinfo "${parameters[@]}" V_top="$top" > "$folder/gear.csv.new"; then
+    rm "$folder/gear.csv.new"
+    exit 2
+  fi
+  replace_quietly "$folder/gear.csv"
+  own_k_s='' own_b='' own_c_d=''
+  while IFS=, read -r name value _ _ given _; do
+    [ "$given" = 1 ] || continue
+    case $name in
+      V) fail "study: V is the axis of the diagrams; V_top=$value says how far they go" 2 ;;
+      k_s) own_k_s=$value ;;
+      b) own_b=$value ;;
+      c_d) own_c_d=$value ;;
+      *) values+="${values:+, }'$name': $value" ;;
+    esac
+  done < "$folder/gear.csv"
+  case $own_k_s in 1e+30 | inf) own_k_s=inf ;; esac
+  if [ -n "$values" ]; then settle "$folder/gear" <<< "PAR = {$values}"; else settle "$folder/gear" < /dev/null; fi
+  gear=()
+  [ -z "$values" ] || gear=("gear=$folder/gear")
+  binary=$(cksum < build/bin/mlg) gear_sum="$(cksum < "$folder/gear") $top"
+  [ -n "$b_most" ] || b_most=$(awk -F, '$1 == "J_zeta" { printf "%.6g", 3 * $2 }' "$folder/gear.csv")
+  made facts.csv gearinfo facts "${gear[@]}" V_top="$top"
+}
+
+replace_quietly() { if cmp -s "$1.new" "$1"; then rm "$1.new"; else mv "$1.new" "$1"; fi; }
+
+has() { mlg boundary "$1" "$2=1e3" > /dev/null 2>&1; } # LAYOUT k_s|b: an element of the device
+
+# The device of a design as words for mlg.
+device() { # LAYOUT K_S B
+  ! has "$1" k_s || echo "k_s=$2"
+  ! has "$1" b || echo "b=$3"
+}
+
+# Rows of designs.csv: all intervals at that k_s and b, each with its best damped c_d, or with
+# the one given.
+design() { # LAYOUT DESIGN K_S B LIMIT [C_D]
+  local words best intervals
+  mapfile -t words < <(device "$1" "$3" "$4")
+  intervals=$(mlg intervals "$1" "${gear[@]}" V_top="$top" "${words[@]}") || return
+  best=$(mlg best "$1" "${gear[@]}" V_top="$top" "${words[@]}" ${6:+c_d="$6"} 2> /dev/null | sed 1,2d) || true
+  grep -v -e '^#' -e '^c_lo' <<< "$intervals" | awk -F, -v OFS=, -v row="$1,$2,$3,$4" -v limit="$5" -v best="${best:-,,,,,,,}" '
+    { n++; print row, $1, $2, $5, $3, $4, $6, $7, limit, best }
+    END { if (!n) print row, "", "", 0, "", "", "", "", limit, best }'
+}
+
+# A number of the rows for a design of a layout, the widest of its intervals.
+of_design() { # LAYOUT DESIGN COLUMN
+  mlg cell "$folder/parts/$1.csv" "$3" layout="$1" design="$2" largest=width 2> /dev/null || true
+}
+
+# The designs of one layout, best last; see docs/study.md.
+designs() { # LAYOUT
+  local layout=$1 k_s=inf b=0 limit row
+  [ -z "$own_k_s" ] || ! has "$layout" k_s || k_s=$own_k_s
+  [ -z "$own_b" ] || ! has "$layout" b || b=$own_b
+  design "$layout" "$([ "$k_s$b" = inf0 ] && echo rigid || echo own)" "$k_s" "$b" ''
+  [ -z "$own_c_d" ] || design "$layout" yours "$k_s" "$b" '' "$own_c_d"
+  ! has "$layout" k_s || {
+    made "widest.$layout.csv" widest "$layout" "${gear[@]}" V_top="$top" || return
+    IFS=, read -r k_s _ _ _ _ _ limit < <(sed 1,2d "$folder/widest.$layout.csv")
+    case $limit in no*) ;; *) design "$layout" 'widest at b = 0' "$k_s" 0 "$limit" ;; esac
+  }
+  ! has "$layout" b || {
+    made "limits.$layout.csv" limits "$layout" "${gear[@]}" V_top="$top" b_most="$b_most" b_step="$(awk "BEGIN { print $b_most / 15 }")" \
+      tolerance="$(awk "BEGIN { print $b_most / 1000 }")" || return
+    row=$(grep -v -e '^#' -e '^layout' -e ',no interval' "$folder/limits.$layout.csv" | sort -t , -k 6,6g | tail -n 1)
+    IFS=, read -r _ b k_s _ _ _ _ _ limit <<< "$row"
+    [ -z "$row" ] || design "$layout" widest "$k_s" "$b" "$limit"
+  }
+}
+
+# The best damped device of a layout: a row of its own, for it takes longer than all the rest.
+best_damped() { # LAYOUT
+  local layout=$1 k_s b zeta
+  has "$layout" k_s || return 0
+  made "best.$layout.csv" best "$layout" "${gear[@]}" V_top="$top" b_most="$(has "$layout" b && echo "$b_most" || echo 0)" 2> /dev/null || return 0
+  IFS=, read -r k_s b _ zeta _ < <(sed 1,2d "$folder/best.$layout.csv") || k_s=
+  [ -z "$k_s" ] || awk -v zeta="$zeta" 'BEGIN { exit zeta > 0 }' || design "$layout" 'best damped' "$k_s" "$b" '' > "$folder/parts/$layout.best"
+}
+
+# The design whose plane and diagrams are shown: the user's own device, or 2 % of k_s beside the
+# widest, on the side where more of it is left, for at the widest itself a region is born or two
+# bounds meet.  Into base.LAYOUT: k_s b and the words for mlg.
+base_of() { # LAYOUT
+  local layout=$1 k_s=inf b=0 side best=-1 width beside=inf name=''
+  if has "$layout" k_s; then
+    for name in widest 'widest at b = 0'; do
+      k_s=$(of_design "$layout" "$name" k_s) b=$(of_design "$layout" "$name" b)
+      [ -z "$k_s" ] || break
+    done
+    name="2 % beside the widest"
+    if [ -n "$own_k_s$own_b$own_c_d" ] || [ -z "$k_s" ]; then
+      k_s=${own_k_s:-inf} b=0
+      [ -z "$own_b" ] || ! has "$layout" b || b=$own_b
+      name=$([ -n "$own_k_s$own_b$own_c_d" ] && echo "your own device" || echo "rigid, for no k_s has an interval")
+    elif [ "$k_s" != inf ]; then
+      for side in 0.98 1.02; do
+        width=$(mlg intervals "$layout" "${gear[@]}" V_top="$top" k_s="$(times "$k_s" $side)" b="$b" | awk -F, 'NR > 2 && $5 > w { w = $5 } END { printf "%.10g", w }')
+        width=${width/inf/1e300}
+        if awk "BEGIN { exit !($width > $best) }"; then best=$width beside=$(times "$k_s" $side); fi
+      done
+      k_s=$beside
+    fi
+  fi
+  printf '%s\n' "$k_s" "$b" "$name" > "$folder/base.$layout"
+}
+
+times() { awk "BEGIN { printf \"%.8g\", $1 * $2 }"; }
+
+# Words of the base design for mlg, into `base`; its interval, the widest, into lo and hi.
+get_base() { # LAYOUT
+  { read -r base_k_s; read -r base_b; read -r base_name; } < "$folder/base.$1"
+  mapfile -t base < <(device "$1" "$base_k_s" "$base_b")
+  read -r lo hi < <(mlg intervals "$1" "${gear[@]}" V_top="$top" "${base[@]}" | awk -F, 'NR > 2 && $5 + 0 > w + 0 || $5 == "inf" { w = $5; lo = $1; hi = $2 } END { print lo, hi }') || true
+}
+
+# Are the Hopf points that bound the base's interval super- or subcritical?
+critical() { # LAYOUT
+  local points
+  mlg boundary "$1" "${gear[@]}" V_top="$top" "${base[@]}" | awk -F, -v lo="${lo:-x}" -v hi="${hi:-x}" -v k_s="${base_k_s/inf/1e30}" -v b="$base_b" '
+    NR > 2 && ($1 == lo || $1 == hi) && $2 > 0 { print $2 "," $1 "," k_s "," b "," $3 }' > "$folder/parts/$1.points"
+  points=$(wc -l < "$folder/parts/$1.points")
+  if [ "$points" -gt 0 ]; then
+    mlg criticality "$1" "${gear[@]}" < "$folder/parts/$1.points" > "$folder/critical.$1.csv"
+  else
+    echo V,c_d,frequency_hz,delta_over_psi,a,growth_in_c_d > "$folder/critical.$1.csv"
+  fi
+}
+
+exact_of() { # LAYOUT
+  local layout=$1 value
+  get_base "$layout"
+  made "plane.$layout.csv" plane "$layout" "${gear[@]}" V_top="$top" "${base[@]}" || return
+  made "strips.$layout.csv" plane "$layout" regions "${gear[@]}" V_top="$top" "${base[@]}" || return
+  if has "$layout" k_s; then
+    made "regions.$layout.csv" regions "$layout" "${gear[@]}" V_top="$top" b="$base_b" || return
+  fi
+  if [ -n "$at" ]; then
+    {
+      echo which,c_d,hopf_points
+      for value in $at; do
+        echo "asked,$value,$(mlg hopf "$layout" c_d="$value" "${gear[@]}" V_top="$top" "${base[@]}" | sed 1,2d | wc -l)"
+      done
+    } > "$folder/telling.$layout.csv"
+  else
+    made "telling.$layout.csv" telling "$layout" "${gear[@]}" V_top="$top" "${base[@]}" || return
+  fi
+  critical "$layout"
+}
+
+# A layout for which the algebra has no answer is left out, and the page says so.
+exact_layout() { # LAYOUT
+  local layout=$1
+  head -n 1 "$folder/designs.csv" > "$folder/parts/$layout.csv"
+  if designs "$layout" >> "$folder/parts/$layout.csv" 2> "$folder/parts/$layout.error"; then
+    base_of "$layout"
+    exact_of "$layout" 2> "$folder/parts/$layout.error" || touch "$folder/parts/$layout.unsure"
+  else
+    touch "$folder/parts/$layout.unsure"
+  fi
+}
+
+exact_parts() {
+  local layout left=''
+  rm -rf "$folder/parts"
+  mkdir -p "$folder/parts"
+  echo layout,design,k_s,b,c_lo,c_hi,width,V_lo,V_hi,lower,upper,limit,best_k_s,best_b,c_d,zeta,V,frequency_hz,shimmy,decay > "$folder/designs.csv"
+  : > "$folder/unsure"
+  for layout in $layouts; do
+    job exact_layout "$layout"
+  done
+  wait
+  for layout in $layouts; do
+    if [ -e "$folder/parts/$layout.unsure" ]; then
+      echo "$layout: $(head -n 1 "$folder/parts/$layout.error")" >> "$folder/unsure"
+    else
+      left+=" $layout"
+      sed 1d "$folder/parts/$layout.csv" >> "$folder/designs.csv"
+    fi
+  done
+  layouts=${left# }
+}
+
+# job COMMAND WORD...: in the background, one for each processor at a time.
+job() {
+  while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done
+  (trap - ERR EXIT; set +e; "$@") < /dev/null &
+}

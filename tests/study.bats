@@ -1,0 +1,135 @@
+# study.bats - does scripts/study.sh say what is true of any gear, and fail for none?
+#
+# The paper's gear with AUTO; others by the exact parts alone, their intervals from
+# the eigenvalue oracle (build/bin/eigen-LAYOUT) and from tests/random.
+#
+# Needs   the models, build/bin/eigen-* (make test-programs)
+# Writes  build/tests/study
+
+bats_require_minimum_version 1.5.0
+load scratch
+
+setup_file() {
+  scratch study
+  cp -rp "$ROOT/results" .
+}
+
+setup() {
+  cd "$SCRATCH" || return
+}
+
+# of NAME LAYOUT DESIGN COLUMN: a cell of a study's designs.csv, of its first interval
+of() {
+  awk -F, -v layout="$2" -v design="$3" -v name="$4" '
+    NR == 1 { for (k = 1; k <= NF; k++) if ($k == name) place = k; next }
+    $1 == layout && $2 == design { print $place; exit }' "build/studies/$1/designs.csv"
+}
+
+says() { # NAME TEXT
+  grep -q -- "$2" "build/studies/$1/report.md" || { cat "build/studies/$1/report.md"; return 1; }
+}
+
+# An unstable speed at that c_d by the eigenvalues, over V in steps of 0.5
+shimmies() { # LAYOUT PARAMETER...
+  [ "$("build/bin/eigen-$1" boundary free=V from=0.1 to=200 step=0.5 "${@:2}" | awk 'NR > 1' | wc -l)" -gt 0 ]
+}
+
+steady() { if shimmies "$@"; then return 1; fi; }
+
+study() { scripts/study.sh "$@" > study.log 2>&1 || { cat study.log; return 1; }; }
+
+@test "the paper's gear, L1: interval, double Hopf points, branches, criticality, the page" {
+  study paper layouts=l1
+  near "$(of paper l1 rigid c_lo)" 2754.352 1e-6
+  near "$(of paper l1 rigid c_hi)" 3018.979 1e-6
+  near "$(of paper l1 rigid zeta)" 2.7e-5 1e-2
+  says paper "Double Hopf points.*(24.84 m/s, 3.204e+04), (60.98 m/s, 6.188e+04)"
+  says paper "^- inside, .*no Hopf point"
+  says paper "^- above, .*delta-shimmy"
+  says paper "^- overlap, .*2 branches; psi-shimmy.*torus point at .*; delta-shimmy.*torus point"
+  says paper "supercritical at 10.79 m/s"
+  says paper "No run failed"
+  [ "$(grep -c '<img src="data:image/svg' build/studies/paper/report.html)" -ge 3 ]
+  [ "$(grep -c 'src="[^d]' build/studies/paper/report.html)" -eq 0 ]
+  # again: nothing to do
+  run scripts/study.sh paper layouts=l1
+  [ "$output" = "  build/studies/paper/report.html is up to date" ]
+}
+
+@test "the paper's gear, L2 and LI2: the widest intervals" {
+  study wide layouts=l2,li2 exact b_most=140
+  near "$(of wide l2 'widest at b = 0' width)" 10226.87 1e-6
+  near "$(of wide l2 'widest at b = 0' k_s)" 786523.74 1e-6
+  near "$(of wide li2 widest width)" 19089.11 1e-6
+  says wide "Widest interval of c_d:\*\* LI2.*b is at its bound"
+  near "$(of wide l2 'best damped' zeta)" 9.618e-5 1e-3
+}
+
+@test "the gear as rounded in print, with a device of its own, and two studies side by side" {
+  sed "s|}|, 'k_s': 7.86e5 N m/rad, 'c_d': 5e3}|" constants/gear.printed > gear.own
+  study printed gear=gear.own layouts=l1,l2 exact
+  says printed "your own device: k_s = 786000"
+  says printed "Your c_d = 5000\*\*, L1: shimmy"
+  says printed "Your c_d = 5000\*\*, L2: no shimmy"
+  steady l2 phi=0.0524 M=19900 k_s=7.86e5 c_d=5e3
+  shimmies l1 phi=0.0524 M=19900 c_d=5e3
+  study wide layouts=l2,li2 exact b_most=140
+  scripts/study.sh compare printed wide
+  grep -q "<td>phi</td>" build/studies/printed.wide.html
+}
+
+@test "a light gear with delta at 55 Hz" {
+  echo "PAR = {'J_xi': 20.0, 'J_eta': 25.0, 'J_zeta': 10.0, 'm_D': 50.0, 'c_psi': 94.87, 'c_delta': 94.87, 'M': 20337.0}" > gear.light
+  study light gear=gear.light layouts=l1 exact
+  near "$(of light l1 rigid c_lo)" 870.97 1e-5
+  near "$(of light l1 rigid c_hi)" 950.33 1e-5
+  near "$(awk -F, '$1 == "delta_locked_hz" { print $2 }' build/studies/light/facts.csv)" 55.5 1e-2
+}
+
+@test "e behind: shimmy at every c_d; phi = 0; almost no load; divergence; several intervals" {
+  study behind e=-0.1 layouts=l1,l2 exact
+  says behind "No device of these layouts keeps this gear free of shimmy"
+  shimmies l1 e=-0.1 c_d=9e3
+  study upright phi=0 layouts=l1 exact
+  near "$(of upright l1 rigid c_lo)" 3087.8218 1e-6
+  shimmies l1 phi=0 c_d=3080
+  steady l1 phi=0 c_d=3090
+  study empty M=10 layouts=l1,l2 exact
+  says empty "every c_d is free of shimmy"
+  study heavy M=1e6 layouts=l1,li2 exact
+  says heavy "Divergence\*\* with L1 LI2"
+  study fast J_xi=22.2222222222 J_eta=27.7777777778 J_zeta=11.1111111111 m_D=55.5555555556 c_psi=100 c_delta=100 \
+    g=88.29 M=2209.706875 k_s=7.87e5 layouts=l2 exact
+  says fast "2 separate intervals.*from 1271 to 2921 .*from 3203 to 4682"
+}
+
+@test "bad input: one line, status 2, and no study" {
+  local words
+  while IFS='|' read -r words pattern; do
+    # shellcheck disable=SC2086 # words
+    run -2 scripts/study.sh $words
+    # shellcheck disable=SC2053 # a pattern
+    [ "${#lines[@]}" -eq 1 ] && [[ $output == $pattern ]] || { echo "$words: $output"; return 1; }
+  done << 'END'
+bad gear=none|none: No such file*
+bad c_q=1|mlg gearinfo: 'c_q=1': no such parameter*
+bad layouts=l9|study: layouts=: there is no layout 'l9'*
+bad layouts=l1,l1|study: layouts=: a layout is given twice
+bad at=3e3,x|study: at=: 'x': expected values of c_d*
+bad V=3|study: V is the axis*
+bad V_top=-1|mlg gearinfo: 'V_top=-1': outside its range*
+bad layouts=l1 layouts=l2|study: 'layouts=l2': layouts is given already
+bad quick|study: 'quick': expected NAME=VALUE*
+a.b|the name 'a.b': a study's has no point
+../bad|the name '../bad'*
+compare paper none|study: there is no study 'none'*
+compare paper|usage: scripts/study.sh compare NAME NAME
+END
+  [ ! -e build/studies/bad/report.html ]
+}
+
+@test "a run that fails is listed with its reason, and the study goes on" {
+  MLG_TIME_LIMIT=0.001 study slow layouts=l1
+  says slow "Runs of AUTO that failed"
+  says slow "^- overlap, .*4 Hopf points, no branch computed"
+}
