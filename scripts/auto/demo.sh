@@ -8,7 +8,8 @@
 # shellcheck disable=SC2154 # demo, part: of auto-demo.sh
 
 runs=()                                                 # in the order of dependency
-declare -A equation start irs ipsw icp about closing ends # of each run
+# shellcheck disable=SC2034 # stable_end: demo-plot.sh
+declare -A equation start irs ipsw icp about closing ends stable_end # of each run
 
 # All runs that these need, each behind the one it starts from.
 order() { # RUN...
@@ -40,6 +41,7 @@ read_run() { # RUN
     case $line in layout) layout=$words ;; model) model=$words ;; constants) constants=$words ;; words) handed=$words ;; esac
   done < "build/runs/$1/origin"
   equation[$1]=${model/./_}
+  handed=$(sed "s/IRS='[^']*' *//; s/ *$//" <<< "$handed")
   about[$1]=$(head_of "$constants" "$layout" | head -n 1)${handed:+ With $handed.}
 }
 
@@ -133,9 +135,9 @@ close() { # RUN
   [[ ${ipsw[$run]} == "2 1" ]] && mlg judge "$run" | grep -qw closed || return 0
   read -r x _ <<< "${icp[$run]}"
   [ "$(mlg shimmy "$run")" = psi ] || size=dstar_max
-  read -r closing["$run"] ends["$run"] < <(mlg rows "$run" ends columns="type,$x:.10g,$size:.10g" | awk -F, '
+  read -r closing["$run"] ends["$run"] stable_end["$run"] < <(mlg rows "$run" ends columns="type,$x:.10g,$size:.10g,stable:d" | awk -F, '
     function largest(p, q) { return p > q ? p : q }
-    { x[NR] = $2; a[NR] = $3 }
+    { x[NR] = $2; a[NR] = $3; stable[NR] = $4 }
     END {
       n = NR - 1
       size = largest(largest(a[n - 1] - a[n], a[n] - a[n - 1]), a[n - 2] - a[n - 1])
@@ -143,7 +145,7 @@ close() { # RUN
       at = x[NR] + (x[n] - x[NR]) * (size / a[n]) ^ 2
       for (i = 2; i <= n; i++) crossed += (x[i] - at) * (x[i - 1] - at) < 0
       if (crossed > 1) at = 0
-      printf "%.8g %.8g\n", at, x[NR]
+      printf "%.8g %.8g %d\n", at, x[NR], stable[n]
     }')
   [ "${closing[$run]}" != 0 ] || fail "auto-demo: $run passes the place where it closes more than once"
 }
@@ -277,7 +279,7 @@ END
 }
 
 write_check() {
-  cat << 'END'
+  cat << 'CHECK'
 # check.awk - the points of points.csv, expected and found in AUTO's files b.RUN
 BEGIN { FS = ","; split("BP LP HB  LP BP PD TR EP", ahead, / /) }
 FNR == 1 {
@@ -327,7 +329,7 @@ function look(run,   file, line, field, name, n, k, type, count) {
   }
   close(file)
 }
-END
+CHECK
 }
 
 write_readme() {
