@@ -7,6 +7,7 @@
  * input: one line on standard error says which word and what would be right.
  */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "arguments.h"
@@ -69,6 +70,15 @@ static int help(int argc, char *argv[])
   else
     list_commands();
   return output_status("help");
+}
+
+/* LAPACK's own, which it calls with an argument it cannot use, ends with status 0. */
+_Noreturn void xerbla_(const char *name, const int *number, size_t length);
+
+_Noreturn void xerbla_(const char *name, const int *number, size_t length)
+{
+  fprintf(stderr, "mlg: LAPACK's %.*s refuses its argument %d\n", (int)length, name, *number);
+  exit(MLG_FAILED);
 }
 
 int main(int argc, char *argv[])
