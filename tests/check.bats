@@ -90,3 +90,38 @@ some() {
   run -2 scripts/check.sh record nothing
   [ "${#lines[@]}" -eq 1 ]
 }
+
+# normal_form V C_D MODE COLUMN
+normal_form() {
+  build/bin/mlg normal-form l1 V="$1" c_d="$2" | awk -F, -v mode="$3" -v column="$4" '
+    NR == 1 { for (k = 1; k <= NF; k++) if ($k == column) place = k }
+    $1 == mode { print $place }'
+}
+
+@test "the normal form of a double Hopf point has the torus curves that AUTO follows" {
+  local torus V c_d mode slope
+  # the slope from the point to the second orbit beside it in the table of Figure 7
+  while read -r torus V c_d slope; do
+    mode=1
+    [ "$torus" = torus_psi ] || mode=2
+    near "$(normal_form "$V" "$c_d" $mode torus_dV_dc_d)" "$slope" "$([ $torus$V = torus_delta60.97764568 ] && echo 0.07 || echo 0.01)" "$torus at $V"
+    [ "$(normal_form "$V" "$c_d" $mode unfolding)" = "simple I" ]
+  done < <(awk -F, '
+    BEGIN { at[24] = "24.83819403 32037.91103"; at[60] = "60.97764568 61882.60298" }
+    { row[NR] = $0 }
+    /^torus_.*,HH,/ { point[++n] = NR }
+    END {
+      for (k = 1; k <= n; k++) {
+        split(row[point[k]], here, ",")
+        split(at[int(here[4])], exact, " ")
+        split(row[point[k] + (k % 2 ? 2 : -2)], there, ",")
+        print here[1], exact[1], exact[2], (there[4] - exact[1]) / (there[5] - exact[2])
+      }
+    }' "$ROOT/results/fig07.csv")
+  [ -n "$slope" ] || [ -n "$mode" ]
+  # each of the two is the criticality of a Hopf point by itself
+  near "$(normal_form 24.83819403 32037.91103 1 a_own)" \
+    "$(echo 24.83819403,32037.91103,1e30,0,11.2 | build/bin/mlg criticality l1 | awk -F, 'END { print $5 }')" 1e-6
+  run -1 build/bin/mlg normal-form l1 V=60 c_d=61882.6
+  [[ $output == *"no double Hopf point"* ]]
+}

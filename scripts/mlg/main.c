@@ -15,7 +15,7 @@
 
 /* Each stands in scripts/mlg/NAME.c. */
 extern const struct command command_boundary, command_hopf, command_intervals, command_regions, command_widest, command_limits, command_curves;
-extern const struct command command_eigenvalues, command_damping, command_transients, command_criticality, command_simulate, command_search;
+extern const struct command command_eigenvalues, command_damping, command_transients, command_criticality, command_normal_form, command_simulate, command_search;
 extern const struct command command_draw, command_gear;
 extern const struct command command_constants, command_run, command_judge, command_table, command_rows, command_point, command_points, command_at, command_curve, command_stamp;
 extern const struct command command_orbit, command_shimmy, command_widths, command_starts, command_agree, command_crossing, command_peak;
@@ -23,7 +23,7 @@ extern const struct command command_cell, command_pick, command_areas, command_t
 
 static const struct command *const commands[] = {
   &command_boundary, &command_hopf, &command_intervals, &command_regions, &command_widest, &command_limits, &command_curves,
-  &command_eigenvalues, &command_damping, &command_transients, &command_criticality, &command_simulate, &command_search,
+  &command_eigenvalues, &command_damping, &command_transients, &command_criticality, &command_normal_form, &command_simulate, &command_search,
   &command_draw, &command_gear,
   &command_constants, &command_run, &command_judge, &command_table, &command_rows, &command_point, &command_points, &command_at, &command_curve, &command_stamp,
   &command_orbit, &command_shimmy, &command_widths, &command_starts, &command_agree, &command_crossing, &command_peak,
