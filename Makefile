@@ -97,14 +97,6 @@ build/models/%.device.o: models/%.c Makefile
 	@mkdir -p $(@D)
 	@$(call compiled,$(CC) $(CFLAGS) -DMLG_BOUNDARY -c $<)
 
-# programs that need no AUTO, around the same device
-define tool_rule
-build/bin/$(1)-%: scripts/$(1).c models/%.c Makefile
-	@mkdir -p $$(@D)
-	@$$(call compiled,$$(CC) $$(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$$*.c"' $$< $(2) -lm)
-endef
-$(foreach tool,scan curves,$(eval $(call tool_rule,$(tool))))
-
 build/models/%.boundary.exe: build/models/%.device.o build/models/boundary.o
 	@$(call whole,$(AUTO_FC) $^ $(AUTO_LINK))
 

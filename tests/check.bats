@@ -93,7 +93,7 @@ some() {
 
 # normal_form V C_D MODE COLUMN
 normal_form() {
-  build/bin/mlg normal-form l1 V="$1" c_d="$2" | awk -F, -v mode="$3" -v column="$4" '
+  build/bin/mlg unfolding l1 V="$1" c_d="$2" | awk -F, -v mode="$3" -v column="$4" '
     NR == 1 { for (k = 1; k <= NF; k++) if ($k == column) place = k }
     $1 == mode { print $place }'
 }
@@ -127,6 +127,6 @@ normal_form() {
   # each of the two is the criticality of a Hopf point by itself
   near "$(normal_form 24.83819403 32037.91103 1 a_own)" \
     "$(echo 24.83819403,32037.91103,1e30,0,11.2 | build/bin/mlg criticality l1 | awk -F, 'END { print $5 }')" 1e-6
-  run -1 build/bin/mlg normal-form l1 V=60 c_d=61882.6
+  run -1 build/bin/mlg unfolding l1 V=60 c_d=61882.6
   [[ $output == *"no double Hopf point"* ]]
 }

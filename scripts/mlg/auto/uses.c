@@ -1,4 +1,5 @@
-/* uses.c - mlg stamp: with what a figure was made, and whether that still is so
+/* uses.c - mlg stamp: with what a figure was made, and whether that still is so (stamp.c: the
+ * same of a run)
  *
  * While MLG_USES names a file that is there, every command of mlg adds to it the files that it read or
  * made (note_use).  `mlg stamp write` takes their sums at the end, `mlg stamp fits`

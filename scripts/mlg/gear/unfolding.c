@@ -1,11 +1,11 @@
-/* normal_form.c - what lives beside a double Hopf point: the cubic amplitude equations */
+/* unfolding.c - what lives beside a double Hopf point: the cubic amplitude equations */
 #include <math.h>
 #include <stdio.h>
 
 #include "arguments.h"
 #include "command.h"
 
-static const char name[] = "normal-form";
+static const char name[] = "unfolding";
 
 /* The frequencies, rad/s, of the two oscillations nearest to the axis of stability. */
 static int nearest_two(const struct arguments *a, double omega[2])
@@ -33,7 +33,7 @@ static int nearest_two(const struct arguments *a, double omega[2])
 }
 
 /* Kuznetsov's cases of the simple unfolding, Section 8.6.2. */
-static const char *unfolding(const double a[2][2], double theta, double delta)
+static const char *unfolding_case(const double a[2][2], double theta, double delta)
 {
   if (a[0][0] * a[1][1] < 0.)
     return "difficult";
@@ -71,11 +71,11 @@ static int run(int argc, char *argv[])
   for (int k = 0; k < 2; k++)
     printf("%d,%.8g,%s,%.3e,%.8g,%.8g,%.8g,%.8g,%.8g,%s\n", k + 1, mode[k].frequency_hz,
            mode[k].delta_over_psi > 1. ? "delta" : "psi", mode[k].re, a[k][k], a[k][1 - k], slope[k][0], slope[k][1],
-           torus[k], unfolding((const double (*)[2])a, theta, delta));
+           torus[k], unfolding_case((const double (*)[2])a, theta, delta));
   return output_status(name);
 }
 
-const struct command command_normal_form = {
+const struct command command_unfolding = {
   .name = name,
   .usage = "LAYOUT V=VALUE c_d=VALUE [NAME=VALUE ...]",
   .summary = "what lives beside a double Hopf point",
