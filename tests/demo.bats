@@ -79,10 +79,12 @@ ends_in_time() { # RUN V
   # torus curves end beside the double Hopf points
   near "$(tail -n 1 b.fig07.torus_psi.up | awk '{ print $5 }')" 61882.6 2e-3
   near "$(tail -n 1 b.fig07.torus_delta.down | awk '{ print $5 }')" 32037.9 1e-2
-  # gnuplot finds all curves, another Python than AUTO's says what it lacks
+  # gnuplot finds all curves; a Python without matplotlib says so
   gnuplot -d plot.gp 2> warnings
   [ ! -s warnings ]
   [ "$(wc -c < fig07.png)" -gt 20000 ]
+  run python3 plot.py
+  [ "$status" -eq 0 ] || [[ $output == "plot.py: this Python has no matplotlib; "* ]]
 }
 
 @test "a header that changed is compiled, an error is not hidden, a wrong value is named" {
