@@ -131,6 +131,12 @@ int libmlg_least_damped(int layout, const double par[], struct libmlg_mode *mode
  * Returns as libmlg_eigenvalues. */
 int libmlg_criticality(int layout, const double par[], double omega, struct libmlg_mode *mode, double *a);
 
+/* The amplitude equations beside a double Hopf point, of the modes nearest to i omega[0] and
+ * i omega[1]: r_i' = r_i (sigma_i + a[i][0] r_0^2 + a[i][1] r_1^2), r_i the amplitude, rad, of
+ * psi, or of delta where delta_over_psi > 1; a in 1/s per rad^2.  Kuznetsov, Section 8.6;
+ * derivatives as for libmlg_criticality.  Returns as libmlg_eigenvalues. */
+int libmlg_double_hopf(int layout, const double par[], const double omega[2], struct libmlg_mode mode[2], double a[2][2]);
+
 /* d(re)/d(parameter) of the mode nearest to re + i im, 1/s per its unit; good to 1e-8. */
 int libmlg_growth_slope(int layout, const double par[], const struct libmlg_mode *mode, int parameter,
                         double *slope);

@@ -208,6 +208,95 @@ int libmlg_criticality(int layout, const double par[], double omega, struct libm
   return libmlg_normal_form(l, slots, omega, mode, a);
 }
 
+/* --- double Hopf points ------------------------------------------------------------ */
+
+/* C(q, w, w*) = C(q, r, r) + C(q, s, s), w = r + i s, and of real vectors
+ * C(x, y, y) = (C along x + y + C along x - y - 2 C along x) / 6. */
+static void trilinear_mixed(const struct gear *g, const double _Complex q[], const double _Complex w[],
+                            double _Complex out[])
+{
+  double x[MOST], sum[MOST], difference[MOST], C[3][MOST];
+
+  memset(out, 0, (size_t)g->n * sizeof *out);
+  for (int a = 0; a < 2; a++)
+    for (int b = 0; b < 2; b++) {
+      for (int i = 0; i < g->n; i++) {
+        const double y = b ? cimag(w[i]) : creal(w[i]);
+
+        x[i] = a ? cimag(q[i]) : creal(q[i]);
+        sum[i] = x[i] + y;
+        difference[i] = x[i] - y;
+      }
+      derivative_along(g, sum, 3, C[0]);
+      derivative_along(g, difference, 3, C[1]);
+      derivative_along(g, x, 3, C[2]);
+      for (int i = 0; i < g->n; i++)
+        out[i] += (a ? I : 1.) * (C[0][i] + C[1][i] - 2. * C[2][i]) / 6.;
+    }
+}
+
+/* The effect of mode w on mode q: Re <p, C(q,w,w*) + B(q,h0) + B(w,h-) + B(w*,h+)>, where
+ * h0 = -A^-1 B(w,w*), h- = (i (omega - nu) - A)^-1 B(q,w*), h+ = (i (omega + nu) - A)^-1 B(q,w). */
+static int cross_coefficient(const struct gear *g, const double A[], const double _Complex q[], const double _Complex p[],
+                             double omega, const double _Complex w[], double nu, double *a)
+{
+  double _Complex conj_w[MOST], h[3][MOST], term[3][MOST], cubic[MOST], G = 0.;
+
+  for (int i = 0; i < g->n; i++)
+    conj_w[i] = conj(w[i]);
+  bilinear(g, w, conj_w, h[0]);
+  bilinear(g, q, conj_w, h[1]);
+  bilinear(g, q, w, h[2]);
+  if (solve_shifted(g->n, A, 0., h[0]) != 0 || solve_shifted(g->n, A, (omega - nu) * I, h[1]) != 0
+      || solve_shifted(g->n, A, (omega + nu) * I, h[2]) != 0)
+    return LIBMLG_FAILED;
+  bilinear(g, q, h[0], term[0]);
+  bilinear(g, w, h[1], term[1]);
+  bilinear(g, conj_w, h[2], term[2]);
+  trilinear_mixed(g, q, w, cubic);
+  for (int i = 0; i < g->n; i++)
+    G += conj(p[i]) * (cubic[i] + term[0][i] + term[1][i] + term[2][i]);
+  *a = creal(G);
+  return 0;
+}
+
+int libmlg_double_hopf(int layout, const double par[], const double omega[2], struct libmlg_mode mode[2], double a[2][2])
+{
+  const struct libmlg_layout *l = libmlg_find(layout);
+  double slots[MLG_SLOTS], A[MOST * MOST];
+  double _Complex q[2][MOST], p[2][MOST];
+
+  if (!l)
+    return LIBMLG_NONE;
+  libmlg_slots(par, slots);
+  const struct gear g = { l, slots, l->states };
+
+  if (jacobian_at_rest(l, slots, A) != 0)
+    return LIBMLG_FAILED;
+  for (int k = 0; k < 2; k++) {
+    double _Complex below = 0., scale;
+
+    if (libmlg_normal_form(l, slots, omega[k], &mode[k], &a[k][k]) != 0
+        || libmlg_mode_near(l, slots, 0., omega[k], &mode[k], q[k], p[k]) != 0)
+      return LIBMLG_FAILED;
+    scale = 0.5 / q[k][PSI];
+    if (mode[k].delta_over_psi > 1.) {
+      scale = 0.5 / q[k][DELTA];
+      a[k][k] /= mode[k].delta_over_psi * mode[k].delta_over_psi;
+    }
+    for (int i = 0; i < g.n; i++) {
+      q[k][i] *= scale;
+      below += conj(p[k][i]) * q[k][i];
+    }
+    for (int i = 0; i < g.n; i++)
+      p[k][i] /= conj(below);
+  }
+  for (int k = 0; k < 2; k++)
+    if (cross_coefficient(&g, A, q[k], p[k], mode[k].im, q[1 - k], mode[1 - k].im, &a[k][1 - k]) != 0)
+      return LIBMLG_FAILED;
+  return 0;
+}
+
 /* <p, dA/dpar q> / <p, q>, dA/dpar by the central difference of fourth order. */
 int libmlg_growth_slope(int layout, const double par[], const struct libmlg_mode *mode, int parameter,
                         double *slope)

@@ -29,6 +29,7 @@
   X(best)           /* gear/best.c */ \
   X(transients)     /* gear/transients.c */ \
   X(criticality)    /* gear/criticality.c */ \
+  X(unfolding)      /* gear/unfolding.c */ \
   X(simulate)       /* gear/simulate.c */ \
   X(search)         /* gear/search.c */ \
   X(draw)           /* gear/draw.c */ \

@@ -152,7 +152,14 @@ static int write_origin(const struct request *r, double ms, struct text *why)
   char *file = joined(r->part, "/origin", "", "");
   int status;
 
-  text_add(&text, "layout=%s\nmodel=%s\nfigure=%s\nms=%.0f\n", r->layout, r->program, figure ? figure : "", ms);
+  text_add(&text, "layout=%s\nmodel=%s\nfigure=%s\nms=%.0f\nconstants=%s\nwords=", r->layout, r->program, figure ? figure : "",
+           ms, r->file);
+  for (int i = 0; i < r->words; i++) {
+    text_add(&text, "%s", i > 0 ? " " : "");
+    for (const char *t = r->word[i]; *t; t++)
+      text_append(&text, *t == '\n' ? " " : t, 1);
+  }
+  text_add(&text, "\n");
   status = write_file(file, text.at, text.length, why);
   free(file);
   text_free(&text);
