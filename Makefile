@@ -59,7 +59,7 @@ setup: build/auto.mk ## packages and AUTO only
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
-need_test_packages := prove bench test% check-scripts certify% verify study-check build/bin/eigen-%
+need_test_packages := prove bench test% check-scripts verify study-check build/bin/eigen-%
 auto_given := $(AUTO_DIR)
 ifneq ($(filter-out help clean distclean test check-fresh libmlg build/lib/% build/bin/mlg drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
@@ -96,18 +96,6 @@ build/models/%.o: models/%.c build/auto.mk Makefile
 build/models/%.device.o: models/%.c Makefile
 	@mkdir -p $(@D)
 	@$(call compiled,$(CC) $(CFLAGS) -DMLG_BOUNDARY -c $<)
-
-# programs that need no AUTO, around the same device
-define tool_rule
-build/bin/$(1)-%: scripts/$(1).c models/%.c Makefile
-	@mkdir -p $$(@D)
-	@$$(call compiled,$$(CC) $$(CFLAGS) -fcx-limited-range -Imodels -DLAYOUT='"$$*.c"' $$< $(2) -lm)
-endef
-$(foreach tool,scan curves,$(eval $(call tool_rule,$(tool))))
-
-.PHONY: sections
-sections: $(models) ## what follows past the torus points of Figure 6 (docs/simulate.md)
-	@scripts/sections.sh
 
 build/models/%.boundary.exe: build/models/%.device.o build/models/boundary.o
 	@$(call whole,$(AUTO_FC) $^ $(AUTO_LINK))
@@ -152,7 +140,8 @@ build/lib/libmlg.so: $(library_parts) $(library_layouts) build/models/gear.o
 mlg_parts := $(patsubst scripts/mlg/%.c,build/mlg/%.o,$(filter-out %/drawn.c,$(wildcard scripts/mlg/*.c scripts/mlg/*/*.c)))
 mlg_drawn := $(layouts:%=build/mlg/drawn-%.o)
 mlg_includes = -Imodels -Imodels/libmlg -Ibuild/libmlg -Iscripts/mlg -Iscripts/mlg/gear -Iscripts/mlg/auto -Iscripts/mlg/report
-mlg_cc = $(CC) $(CFLAGS) $(mlg_includes) -c
+# the work is in the library: the commands around it are compiled quickly
+mlg_cc = $(CC) $(CFLAGS) -O1 $(mlg_includes) -c
 
 $(mlg_parts): build/mlg/%.o: scripts/mlg/%.c build/libmlg/layouts.h Makefile
 	@mkdir -p $(@D)
@@ -191,7 +180,8 @@ parts_damping := planes search
 parts_transients := paper best
 parts_layouts := li3 li4 li5
 parts_certify := l1 l2 li1 li2
-studies := damping transients layouts certify
+parts_sections := past tori elsewhere
+studies := damping transients layouts certify sections
 
 # A part of a figure's runs by itself, so that -j2 makes them side by side; the figure.
 define figure_rules
@@ -208,11 +198,12 @@ $(foreach figure,$(figures) $(studies),$(eval $(call figure_rules,$(figure))))
 fig07.hopf: fig06.a fig06.c
 fig07.torus_psi_up fig07.torus_psi_down fig07.torus_delta filmstrip.orbits: fig06.a
 
-# its diagram (a) is one of Figure 9
-fig10: fig09
+# its diagram (a) is one of Figure 9, and L2 is LI2 at b = 0
+fig10: fig09 fig15
 
 $(parts_transients:%=transients.%): damping
-$(parts_certify:%=certify.%): $(layouts:%=build/bin/eigen-%)
+$(parts_sections:%=sections.%): sections.branches
+sections.branches: fig06.a
 
 export MLG_ASKED := $(or $(filter $(figures) $(studies),$(goals)),$(figures))
 export MLG_STARTED := $(shell date +%s)
@@ -227,8 +218,9 @@ fig14: ## Figure 14: Hopf curves for several k_s and b, layout LI2
 fig15: ## Figure 15: zero-shimmy regions and largest width, layout LI2
 filmstrip: ## solutions A and B of Figure 6 over a period: the gear from above and behind
 layouts: ## layouts LI3, LI4 and LI5: diagrams, boundary points, widths (docs/layouts.md)
-damping: ## least damping ratios of every layout, a minute or two (docs/damping.md)
+damping: ## least damping ratios of every layout, a minute (docs/damping.md)
 transients: ## peaks and settling times after a disturbance, four minutes more (docs/damping.md)
+sections: ## what follows past the torus points of Figure 6 (docs/simulate.md)
 certify: ## do oscillations reach into the zero-shimmy regions? (docs/certification.md)
 
 # --- drawings of the gear and of each layout, docs/drawings ------------------
@@ -322,10 +314,11 @@ build/tests/libmlg.a: $(checked_library) build/tests/libmlg/gear.o
 build/tests/integrate build/tests/criticality: with = build/tests/libmlg.a $(lapack) $(sundials)
 build/tests/integrate build/tests/criticality: build/tests/libmlg.a
 
+# compiled in an eighth of the time, and hardly slower
 $(layout_tests): build/tests/layout-%: tests/test_layout.c models/%.c build/tests/libmlg.a build/auto.mk Makefile
 	@mkdir -p $(@D)
 	@echo "  $< -> $@"
-	@$(call compiled,$(CC) $(TEST_CFLAGS) $(to_test_layout) $< build/tests/libmlg.a -lcmocka $(lapack) -lm)
+	@$(call compiled,$(CC) $(TEST_CFLAGS) -O0 $(to_test_layout) $< build/tests/libmlg.a -lcmocka $(lapack) -lm)
 
 $(oracles): build/bin/eigen-%: tests/eigen.c models/%.c build/auto.mk Makefile
 	@mkdir -p $(@D)

@@ -13,6 +13,13 @@
 # Expect: the number of curves and of closed ones.  An extremum that AUTO's curves lack,
 #         or have beside those of mlg curves, ends with one line.
 
+# A short straight run across a Hopf point at the speed V, which finds it as HB1.
+hopf_start() { # NAME LAYOUT V [PARAMETER=VALUE ...]
+  local from to
+  read -r from to < <(awk -v V="$3" 'BEGIN { printf "%.12g %.12g\n", V - 0.001, V + 0.001 }')
+  run "$1" "$2.straight" "${@:4}" V="$from" DS=0.00025 DSMAX=0.00025 UZSTOP="{'V': $to}" -- HB=1 UZ=1 > /dev/null
+}
+
 # hopf_curves LAYOUT NAME [WORD ...]
 # A curve takes two runs: a short straight one across its starting point, which
 # finds the Hopf point there, then the curve, from edge to edge or once round.

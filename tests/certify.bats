@@ -37,43 +37,67 @@ verdicts() {
   done
 }
 
-# cell LAYOUT COLUMN of certify.csv
-cell() {
-  awk -F, -v layout="$1" -v column="$2" '
-    /^#/ { next }
-    $1 == "layout" { for (k = 1; k <= NF; k++) if ($k == column) place = k; next }
-    $1 == layout { print $place }' results/certify.csv
+# of LAYOUT TABLE WORD...: that layout's rows of a table of record
+of() {
+  mlg pick "results/$2.csv" where=layout="$1" "${@:3}"
+}
+
+value() { # LAYOUT COLUMN of certify.csv
+  of "$1" certify columns="$2"
 }
 
 @test "the table of regions is what the tables of record say" {
   local layout
   for layout in l1 l2 li1 li2; do
-    [ "$(cell $layout sustained)" = 0 ]
-    [ "$(awk -F, -v l=$layout '$1 == l && $10 > 0' results/criticality.csv | wc -l)" = "$(cell $layout subcritical)" ]
-    [ "$(awk -F, -v l=$layout -v lo="$(cell $layout c_lo)" -v hi="$(cell $layout c_hi)" \
-      '$1 == l && $7 > lo && $7 < hi' results/cycles.csv | wc -l)" = 0 ]
-    [ "$(awk -F, -v l=$layout '$1 == l' results/cycles.csv | wc -l)" = "$(cell $layout cycles)" ]
-    near "$(awk -F, -v l=$layout '$1 == l && $5 > c { c = $5 } END { print c }' results/folds.csv)" "$(cell $layout fold_c_d)" 1e-3 "fold of $layout"
-    near "$(build/bin/scan-$layout intervals k_s="$(cell $layout k_s)" b="$(cell $layout b)" | awk -F, 'NR == 2 { print $1 }')" "$(cell $layout c_lo)" 1e-8
+    [ "$(value $layout sustained)" = 0 ]
+    [ "$(of $layout criticality where='a>0' | wc -l)" = "$(value $layout subcritical)" ]
+    [ "$(of $layout cycles where="c_d>$(value $layout c_lo)" where="c_d<$(value $layout c_hi)" | wc -l)" = 0 ]
+    [ "$(of $layout cycles | wc -l)" = "$(value $layout cycles)" ]
+    near "$(of $layout folds columns=c_d | sort -g | tail -n 1)" "$(value $layout fold_c_d)" 1e-3 "fold of $layout"
+    near "$(mlg intervals $layout k_s="$(value $layout k_s)" b="$(value $layout b)" | sed -n 3p | cut -d , -f 1)" "$(value $layout c_lo)" 1e-8
   done
+}
+
+@test "no orbit over stable straight rolling is called stable where AUTO cannot tell" {
+  local V c_d frequency a
+  # the subcritical Hopf point of LI1 at 0.5 m/s: unstable orbits begin there
+  IFS=, read -r V c_d < <(mlg pick results/cycles.csv where=layout=li1 where=branch=V0.5.1 columns=V,c_d | sed -n 1p)
+  IFS=, read -r _ _ frequency _ < <(mlg hopf li1 V="$V" k_s=6.38e5 b=140 | sed -n 3p)
+  IFS=, read -r _ _ _ _ a _ < <(echo "$V,$c_d,6.38e5,140,$frequency" | mlg criticality li1 | sed 1d)
+  awk -v a="$a" 'BEGIN { exit !(a > 0) }'
+  [ -z "$(mlg pick results/cycles.csv where=layout=li1 where=branch=V0.5.1 where=stable=1 where='psi_max<0.5')" ]
+  [ "$(mlg pick results/cycles.csv where=layout=li1 where=branch=V0.5.1 where=stable=0 where='psi_max<0.5' | wc -l)" -gt 0 ]
+  # where a branch begins, at a fold and at a branch point nothing is claimed
+  [ -z "$(mlg pick results/cycles.csv where=psi_max=0 where='stable!=')" ]
 }
 
 @test "the page has the numbers of the table" {
   local layout name line
   for layout in l1 l2 li1 li2; do
     name=${layout^^}
-    grep -q "^| $name | .* $(printf '%.2f to %.2f' "$(cell $layout c_lo)" "$(cell $layout c_hi)") |\$" docs/certification.md
-    grep -q "^| $name | $(cell $layout starts) | $(printf %.1f "$(cell $layout psi_start)") | 0.042 | [0-9]* | $(cell $layout seconds) | $(cell $layout sustained) |\$" docs/certification.md
-    [ $layout = li1 ] || grep -q "^| $name | $(cell $layout fold_c_d) | $(printf %.1f "$(cell $layout fold_V)") |" docs/certification.md
+    grep -q "^| $name | .* $(printf '%.2f to %.2f' "$(value $layout c_lo)" "$(value $layout c_hi)") |\$" docs/certification.md
+    grep -q "^| $name | $(value $layout starts) | $(printf %.1f "$(value $layout psi_start)") | 0.042 | [0-9]* | $(value $layout seconds) | $(value $layout sustained) |\$" docs/certification.md
+    [ $layout = li1 ] || grep -q "^| $name | $(value $layout fold_c_d) | $(printf %.1f "$(value $layout fold_V)") |" docs/certification.md
   done
-  awk -F, '$5 == "GH" { printf "| %.4f | %.4g |\n", $6, $7 }' results/criticality.csv >points
+  mlg pick results/criticality.csv where=type=GH columns=V:.4f,c_d:.4g | sed 's/,/ | /; s/.*/| & |/' > points
   [ "$(wc -l <points)" -eq 2 ]
   while read -r line; do grep -q -F "$line" docs/certification.md; done <points
 }
 
+@test "the points GH are where the criticality changes its sign" {
+  local points V c_d frequency
+  # both on LI1's third psi curve
+  points=$(for V in 0.75 0.6 0.305; do
+    IFS=, read -r c_d _ frequency _ < <(mlg hopf li1 V=$V k_s=6.38e5 b=140 | sed -n 3p)
+    echo "$V,$c_d,6.38e5,140,$frequency"
+  done)
+  mlg criticality li1 GH digits=4 <<< "$points" | cut -d , -f 1,2 > found
+  [ "$(xargs < found)" = 'V,c_d 0.7161,526.6 0.3106,22.71' ]
+}
+
 @test "a cycle of record is what time integration settles on" {
   local V c_d psi_max
-  IFS=, read -r V c_d psi_max < <(awk -F, '$1 == "l1" && $4 == "V8.1" && $10 == 1 && $8 > 6 { print $6 "," $7 "," $8; exit }' results/cycles.csv)
-  build/bin/mlg simulate l1 orbit V="$V" c_d="$c_d" psi=0.1 >orbit.csv
-  near "$psi_max" "$(awk -F, '/^#/ { next } !k { for (i = 1; i <= NF; i++) if ($i == "psi_max") k = i; next } { print $k; exit }' orbit.csv)" 1e-5 psi_max
+  IFS=, read -r V c_d psi_max < <(of l1 cycles where=branch=V8.1 where=stable=1 where='psi_max>6' columns=V,c_d,psi_max)
+  mlg simulate l1 orbit V="$V" c_d="$c_d" psi=0.1 >orbit.csv
+  near "$psi_max" "$(mlg pick orbit.csv columns=psi_max)" 1e-5 psi_max
 }

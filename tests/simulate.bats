@@ -80,9 +80,10 @@ refuses() {
 @test "the orbit is one: started on it, it has closed after a period" {
   local start period
   simulate l1 orbit c_d=2e3 V=20 psi=0.05 >orbit.csv
-  near "$(numbers psi_max < orbit.csv)" "$(awk -F, '$3 == "fig06.c.psi" && $4 == "UZ" { print $10 }' results/special_points.csv)" 1e-5 psi_max
+  near "$(numbers psi_max < orbit.csv)" "$(mlg pick results/special_points.csv where=run=fig06.c.psi where=type=UZ columns=psi_max)" 1e-5 psi_max
+  [ "$(numbers shimmy < orbit.csv)" = psi ]
   period=$(numbers period < orbit.csv)
-  mapfile -t start < <(awk -F, 'NR == 3 { for (k = 9; k <= NF; k++) name[k] = $k } NR == 4 { for (k = 9; k <= NF; k++) print name[k] "=" $k }' orbit.csv)
+  mapfile -t start < <(awk -F, 'NR == 3 { for (k = 10; k <= NF; k++) name[k] = $k } NR == 4 { for (k = 10; k <= NF; k++) print name[k] "=" $k }' orbit.csv)
   simulate l1 history c_d=2e3 V=20 "${start[@]}" t_end="$period" dt="$period" | numbers psi delta eps lambda_L >closed
   paste -d ' ' <(head -n 1 closed | xargs -n 1) <(tail -n 1 closed | xargs -n 1) | near_each 1e-5 'state after a period'
 }
@@ -127,22 +128,22 @@ refuses() {
   run -2 scripts/simulate.sh l9 mine psi=0.3
   [ "$output" = "simulate: there is no layout 'l9', no models/l9.c" ]
   run -2 scripts/simulate.sh l1 ../mine psi=0.3
-  [ "$output" = "the name '../mine': letters, digits, dot, _ and - only, and neither dot nor - first" ]
+  [ "$output" = "the name '../mine': letters, digits, . _ - and +, a letter or a digit first, at most 100" ]
 }
 
 @test "the picture has a dot for each tyre at each limit, and none elsewhere" {
   local start limits
   mkdir -p build/tables
-  sed -i 's/^set terminal .*/set terminal svg/; s/\.png\.new/.svg/' scripts/simulate.gp
+  sed -i 's/^set terminal .*/set terminal svg/; s/\.png\.new/.svg/' scripts/pictures/simulate.gp
   for start in 0.3 0.01; do
     build/bin/mlg simulate l1 history V=40 psi=$start t_end=1 >build/tables/dots.csv
     limits=$(grep -c ',limit$' build/tables/dots.csv) || [ "$limits" -eq 0 ]
-    run -0 env LC_ALL=C.UTF-8 gnuplot -d -e "figure='dots'" scripts/style.gp scripts/simulate.gp
+    run -0 env LC_ALL=C.UTF-8 gnuplot -d -e "figure='dots'" scripts/pictures/style.gp scripts/pictures/simulate.gp
     [ -z "$output" ] || { echo "$output" && return 1; }
     # one more in the key
     [ "$(grep -c "<use xlink:href='#gpPt6'" build/tables/dots.svg)" -eq $((limits ? 2 * limits + 1 : 0)) ]
   done
-  cp "$ROOT/scripts/simulate.gp" scripts
+  cp "$ROOT/scripts/pictures/simulate.gp" scripts/pictures
 }
 
 @test "bad input: one line, status 2" {

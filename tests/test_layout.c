@@ -269,8 +269,6 @@ static void libmlg_knows_what_is_none(void **state)
     assert_int_equal(libmlg_uses(i, 0), LIBMLG_NONE);
     assert_int_equal(libmlg_eigenvalues(i, par, f, f, &none), LIBMLG_NONE);
     assert_int_equal(libmlg_least_damped(i, par, &mode), LIBMLG_NONE);
-    assert_int_equal(libmlg_least_damped_between(i, par, 1., 2., &mode), LIBMLG_NONE);
-    assert_int_equal(libmlg_least_damped_to(i, par, 200., &mode), LIBMLG_NONE);
     assert_int_equal(libmlg_criticality(i, par, 50., &mode, f), LIBMLG_NONE);
     assert_int_equal(libmlg_growth_slope(i, par, &mode, 0, f), LIBMLG_NONE);
   }
@@ -311,8 +309,6 @@ static void libmlg_fails_on_no_numbers(void **state)
   par[libmlg_parameter("J_zeta")] = NAN;
   assert_int_equal(libmlg_eigenvalues(0, par, re, im, &n), LIBMLG_FAILED);
   assert_int_equal(libmlg_least_damped(0, par, &mode), LIBMLG_FAILED);
-  assert_int_equal(libmlg_least_damped_between(0, par, 1., 2., &mode), LIBMLG_FAILED);
-  assert_int_equal(libmlg_least_damped_to(0, par, 200., &mode), LIBMLG_FAILED);
   assert_int_equal(libmlg_criticality(0, par, 50., &mode, &a), LIBMLG_FAILED);
 }
 

@@ -12,7 +12,7 @@
 # Writes: build/tests/verify/PART.csv; the full form results/verification.csv
 # Status: 0 all rows pass, 1 a row or a part failed, 2 no such part
 set -euo pipefail
-. "$(dirname "$(realpath "$0")")/../scripts/tools.sh"
+. "$(dirname "$(realpath "$0")")/../scripts/auto/tools.sh"
 
 form=full
 if [ "${1:-}" = short ]; then form=short; shift; fi

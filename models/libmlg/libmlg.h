@@ -117,18 +117,11 @@ struct libmlg_mode {
  * number, LIBMLG_NONE or LIBMLG_FAILED as libmlg_eigenvalues. */
 int libmlg_modes(int layout, const double par[], struct libmlg_mode mode[], int most, int *grows);
 
-/* The mode of the least damping ratio at the V of par[], above 0.  A real eigenvalue does
- * not oscillate: it has zeta = 1 and never counts; one that grows (divergence) has -1
- * and always does.
+/* The mode of the least damping ratio at the V of par[], above 0 (over all V:
+ * libmlg_least_ratio).  A real eigenvalue does not oscillate: it has zeta = 1 and never
+ * counts; one that grows (divergence) has -1 and always does.
  * Returns as libmlg_eigenvalues. */
 int libmlg_least_damped(int layout, const double par[], struct libmlg_mode *mode);
-
-/* The same where zeta is least between two speeds, m/s, to 1e-5 of their difference,
- * where one minimum lies there; and over all speeds above 0 up to V_top, from 60 that
- * are dense at low speed. */
-int libmlg_least_damped_between(int layout, const double par[], double V_lo, double V_hi,
-                                struct libmlg_mode *mode);
-int libmlg_least_damped_to(int layout, const double par[], double V_top, struct libmlg_mode *mode);
 
 /* Is the Hopf point of the mode nearest to i omega, rad/s, subcritical (*a > 0: unstable
  * shimmy beside the stable gear) or supercritical?  The amplitude r of psi, rad, obeys
@@ -203,9 +196,9 @@ double libmlg_oscillation_size(int layout, const double u[]);
  *             s has the ratio -Re(s)/|s|; a positive real one is a divergence, below
  *             every ratio.
  *   V_least, V_top   the speeds that are looked at, m/s, V_least < V < V_top; V_least
- *             may be 0, which is a limit: the tyre is neutral there.
- * Functions that return a number of points return LIBMLG_NONE for no such layout, and
- * LIBMLG_UNSURE when LAPACK failed or what was found contradicts itself. */
+ *             may be 0, which is a limit: the tyre is neutral there.  V_top is finite.
+ * Functions that return a number of points return LIBMLG_NONE for no such layout or range,
+ * and LIBMLG_UNSURE when LAPACK failed or what was found contradicts itself. */
 
 enum { LIBMLG_UNSURE = -3, LIBMLG_MOST_POINTS = 128 };
 

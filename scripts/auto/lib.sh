@@ -69,6 +69,45 @@ replace() { # FILE: by FILE.new, unless they are the same
 # Notes a file that the figure hangs on and no command of mlg reads.
 use() { printf '%s\n' "$@" >> "$MLG_USES"; }
 
+# What takes minutes is not made again because mlg was linked anew.
+# made NAME FILE... -- COMMAND...: the output of COMMAND as build/tables/NAME.csv, made
+# again when its words or one of the files changed, or the table itself (mlg stamp).
+made() {
+  local table=build/tables/$1.csv words=build/tables/$1.words stamp=made.$1 files=() started=${EPOCHREALTIME/./}
+  shift
+  while [ "$1" != -- ]; do files+=("$1"); shift; done
+  shift
+  use "$table"
+  echo "$*" > "$words.new"
+  cmp -s "$words.new" "$words" || mv "$words.new" "$words"
+  rm -f "$words.new"
+  if mlg stamp fits "$stamp" > /dev/null; then return; fi
+  touch "build/stamps/$stamp.began"
+  "$@" > "$table.new" || exit $?
+  mv "$table.new" "$table"
+  MLG_USES='' mlg stamp write "$stamp" "$table" "$words" "${files[@]}"
+  printf '  %-28s %5d ms\n' "$(basename "$table" .csv)" $(((${EPOCHREALTIME/./} - started) / 1000))
+}
+
+# sources LAYOUT FILE...: the equations of a layout and these, for made
+sources() {
+  printf '%s\n' models/{mlg,network,gear,jacobian}.h models/gear.c "models/$1.c" models/libmlg/{libmlg,layout}.c "${@:2}"
+}
+
+# Sets k_s, b, c_lo, c_hi: the gear whose interval c_lo to c_hi of c_d the paper calls best.
+# For LI2 the paper gives b only: k_s is just below the onset of the delta region, where the
+# interval is widest.
+# shellcheck disable=SC2034 # for who asks
+paper_gear() { # LAYOUT
+  case $1 in
+    l1) k_s=1e30 b=0 ;;
+    l2) k_s=7.86e5 b=0 ;;
+    li1) k_s=6.38e5 b=140 ;;
+    li2) k_s=2.48e6 b=140 ;;
+  esac
+  IFS=, read -r c_lo c_hi _ < <(mlg intervals "$1" k_s="$k_s" b="$b" | sed -n 3p)
+}
+
 # The figure's row of results/versions.csv: with what its runs were made.  It is written
 # with the table, so runs that find the same table leave it as it is.
 record() {
@@ -76,7 +115,7 @@ record() {
   if cmp -s "$table.new" "$table" && grep -q "^$figure," "$file" 2> /dev/null; then return; fi
   exec 7> build/tables/versions.lock
   flock 7
-  runs=$(grep -lx "figure=$figure" build/runs/*/origin 2> /dev/null | wc -l)
+  runs=$({ grep -lx "figure=$figure" build/runs/*/origin 2> /dev/null || true; } | wc -l)
   {
     echo "# With what the runs of a figure were made when its table last changed."
     echo figure,runs,AUTO,cc,gfortran,libc,gnuplot,system,processor

@@ -12,7 +12,7 @@ file = sprintf("results/%s.csv", figure)
 # columns of the table: 1 panel, 2 b, 3 k_s, 4 curve, 5 shimmy, 6 type, 7 V, 8 c_d
 list(what) = cell(sprintf("%s k_s each %s", file, what))
 of_panel(p, kind) = list(sprintf("panel=%s shimmy=%s", p, kind))
-rows(p, k, kind) = pick(file, sprintf("panel=%s k_s=%s shimmy=%s blocks=curve", p, k, kind))
+rows(p, k, kind) = pick(sprintf("%s panel=%s k_s=%s shimmy=%s blocks=curve", file, p, k, kind))
 
 # the k_s of Figures 9, 12 and 14; another one gets a shade between these
 all_k = "4e5 4.4e5 4.6e5 4.8e5 5e5 5.2e5 5.4e5 5.9e5 6e5 6.2e5 6.7e5 7e5 8e5 8.4e5 1e6 1.4e6 1.5e6 2e6 2.1e6 3e6"

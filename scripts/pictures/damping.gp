@@ -1,18 +1,19 @@
 # damping.gp - least damping ratios from results/damping.csv and the maps
-# build/tables/damping.*.csv (scripts/damping.sh)
+# build/tables/damping.*.csv (scripts/studies/damping.sh)
 set datafile separator whitespace # of gnuplot's own contours, and so of all that is read here
+picked(words) = pick(words)." | tr , ' '"
 map(name) = sprintf("build/tables/damping.%s.csv", name)
-# a map over the columns i and j as logarithms, a block for each value of the first
-blocks(name, i, j) = sprintf("< awk -F, 'NR>1{if($1!=last&&NR>2)print \"\"; last=$1; print log($%d)/log(10),log($%d)/log(10),$3}' %s", i, j, map(name))
+# a map, a block for each value of its first column
+blocks(name, first) = picked(sprintf("%s blocks=%s", map(name), first))
 # rows of the table: 3 b, 4 k_s, 5 c_d, 6 zeta, 7 V
-rows(layout, choice) = sprintf("< awk -F, '$1==\"%s\" && $2==\"%s\" {$1=$1; print}' results/damping.csv", layout, choice)
+rows(layout, choice) = picked(sprintf("results/damping.csv where=layout=%s where=choice=%s", layout, choice))
 best(layout) = layout eq "l1" ? rows(layout, "paper") : rows(layout, "best")
 shown(b, layout) = b == (layout eq "l1" ? 0 : b_of(layout))
 # the zero-shimmy intervals of c_d over k_s, and the widest of them
 figure_of(layout) = layout eq "l2" ? "fig10" : layout eq "li1" ? "fig13" : "fig15"
 b_of(layout) = layout eq "l2" ? "0" : "140"
-region(layout) = sprintf("< awk -v layout=%s -v b=%s -f scripts/chains.awk results/%s.csv | tr , ' '", layout, b_of(layout), figure_of(layout))
-widest(layout) = sprintf("< awk -F, '$1==\"%s\" && $2==%s {print $3,$4,$5}' results/widths.csv", layout eq "l2" ? "li2" : layout, b_of(layout))
+region(layout) = picked(sprintf("results/%s.csv where=layout=%s where=b=%s 'where=k_s!=inf' columns=k_s,c_lo,c_hi", figure_of(layout), layout, b_of(layout)))
+widest(layout) = picked(sprintf("results/widths.csv where=layout=%s where=b=%s columns=k_s,c_lo,c_hi", layout eq "l2" ? "li2" : layout, b_of(layout)))
 layouts = "l1 l2 li1 li2"
 array title[8] = ["(a1) L1", "(a2) L2, k_s = 475.5 kN m/rad", "(a3) LI1, k_s = 304.8 kN m/rad,\nb = 140 N m s^2/rad", "(a4) LI2, k_s = 1405 kN m/rad,\nb = 140 N m s^2/rad", \
                   "(b1) L1", "(b2) L2", "(b3) LI1, b = 140 N m s^2/rad", "(b4) LI2, b = 140 N m s^2/rad"]
@@ -38,19 +39,20 @@ do for [ending in "png svg"] {
       set xrange [2.7:3.1]; set yrange [-2:4]; set xtics 0.1; set ytics 1
       set xlabel "c_d (kN m s/rad)" offset 0,0.3; set ylabel "least ζ over V (10^{-5})" offset 1.5,0
       plot 0 with lines ls 3, \
-           "< tr , ' ' < ".map("l1.c_d") using (1e-3*$1):(1e5*$2) with lines lw 2 lc rgb "#000000", \
+           picked(map("l1.c_d")) using (1e-3*$1):(1e5*$2) with lines lw 2 lc rgb "#000000", \
            best("l1") using (1e-3*$5):(1e5*$6) with points ls 21
     } else {
       i = row ? 1 : 2; j = row ? 2 : 1
       table = row ? layout.".k_s" : layout
+      first = row ? "k_s" : "c_d"
       set contour base; unset surface; set cntrparam levels discrete 0
       set table $zero
       set autoscale
-      splot blocks(table, i, j) using 1:2:3
+      splot blocks(table, first) using (log10(column(i))):(log10(column(j))):3
       unset table
       unset contour; set surface
       set cbrange [-5.5:-2.5]
-      set ylabel (col == 0 ? "c_d (kN m s/rad)" : "") offset 1.5,0
+      set ylabel (col == 0 || row ? "c_d (kN m s/rad)" : "") offset (row ? 0.75 : 1.5),0
       set ytics ("0.1" 2, "0.3" log10(300), "1" 3, "3" log10(3e3), "10" 4, "30" log10(3e4))
       if (row) {
         set xrange [log10(2.86e5):log10(col == 3 ? 4e6 : 2e6)]; set yrange [log10(2e3):log10(3e4)]
@@ -72,12 +74,12 @@ do for [ending in "png svg"] {
         set arrow 2 from screen 0.933,0.373 to screen 0.933,0.397 nohead lc rgb "black" lw 2
       } else { unset colorbox }
       if (row) {
-        plot blocks(table, i, j) using 1:2:($3 > 0 ? log10($3) : NaN) with image, \
-             for [k=2:3] region(layout) using (log10($1)):(log10(column(k))) with lines ls 3, \
+        plot blocks(table, first) using (log10(column(i))):(log10(column(j))):($3 > 0 ? log10($3) : NaN) with image, \
+             for [k=2:3] region(layout) using (log10($1)):(log10(column(k))) with points pt 7 ps 0.3 lc rgb "#d62728", \
              widest(layout) using (log10($1)):(log10($2)):(0):(log10($3/$2)) with vectors nohead lc rgb "black" lw 2, \
              @mark
       } else {
-        plot blocks(table, i, j) using 1:2:($3 > 0 ? log10($3) : NaN) with image, \
+        plot blocks(table, first) using (log10(column(i))):(log10(column(j))):($3 > 0 ? log10($3) : NaN) with image, \
              $zero using 1:2 with lines ls 3, @mark
       }
       unset label; unset arrow
@@ -96,7 +98,7 @@ do for [ending in "png svg"] {
   set label 2 "L2 (b = 0)" at 2,4.4e-5 tc rgb "#1f4fd8"
   set label 3 "LI2, best damped" at 200,1.15e-3 center tc ls 22
   set label 4 "LI2, widest interval" at 240,7.4e-5 center tc ls 22
-  set label 5 "LI1, best damped" at 90,2.4e-4 center tc ls 23
+  set label 5 "LI1, best damped" at 130,2.7e-4 left tc ls 23
   set label 6 "LI1, widest interval" at 174,2.2e-5 left tc ls 23
   plot l1_max with lines ls 24, \
        rows("li1", "widest") using 3:6 with linespoints ls 23 dt (4,3), \

@@ -7,10 +7,10 @@ is(type, y) = strcol(3) eq type ? y : NaN
 at(V, branch, y) = abs(column(4) - V) < 1e-6 && strcol(2) eq branch ? y : NaN
 
 # the points of Figure 6 by their names: those of straight rolling by V, then those of a branch
-at_rest(p) = pick(file, sprintf("panel=%s branch=straight type=HB", p))
+at_rest(p) = pick(sprintf("%s panel=%s branch=straight type=HB", file, p))
 name_at_rest(p, n) = p eq "a" ? word("H_1 H_3 H_2 H_4", n + 1) : word("H_1 H_2", n + 1)
 tori(p) = p eq "a" ? 2 : 0
-torus(branch) = pick(file, sprintf("panel=a branch=%s type=TR", branch))
+torus(branch) = pick(sprintf("%s panel=a branch=%s type=TR", file, branch))
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1200,1350 font "DejaVu Sans,13" } \
   else { set terminal svg size 1000,1125 font "DejaVu Sans,13" }

@@ -2,7 +2,7 @@
 file = "results/fig07.csv"
 # columns of the table: 1 curve, 2 shimmy, 3 type, 4 V, 5 c_d
 curve(name) = where(file, "curve", name)
-shimmy(kind) = pick(file, "blocks=curve shimmy=" . kind)
+shimmy(kind) = pick(sprintf("%s shimmy=%s blocks=curve", file, kind))
 is(type, y) = strcol(3) eq type ? y : NaN
 # the zero-shimmy interval: from the LP of the low psi curve to that of the delta curve
 stats curve("low") using (is("LP", $5)) name "low" nooutput

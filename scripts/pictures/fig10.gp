@@ -2,7 +2,7 @@
 load "scripts/pictures/regions.gp"
 file = "results/fig10.csv"
 # the diagram in (a): 4 curve, 5 shimmy, 6 type, 7 V, 8 c_d of results/fig09.csv, a block a curve
-shown = pick("fig09", "panel=a k_s=1e6 blocks=curve")
+shown = pick("fig09 panel=a k_s=1e6 blocks=curve")
 extremum(y) = strcol(6) eq "LP" ? y : NaN
 bp(shimmy, V, c) = shimmy eq "psi" ? (c < 8000 ? "BP1" : "BP3") : (c < 12000 ? "BP2_l" : "BP2_u")
 widest = number("widths width layout=li2 b=0")

@@ -2,7 +2,7 @@
 load "scripts/pictures/regions.gp"
 file = "results/fig13.csv"
 bs = "20 30 70 100 130 150"
-widths(kind) = pick("widths", "layout=li1 " . kind)
+widths(kind) = pick("widths layout=li1 " . kind)
 tens = "b%10=0"
 best = "'b>140' 'b<150'" # where the third psi region takes over: the largest of all
 # what limits the width in turn (docs/boundary.md), and the b where it changes

@@ -3,8 +3,8 @@ load "scripts/pictures/regions.gp"
 file = "results/fig15.csv"
 bs = "0 50 80 100 120 140"
 colours = "#000000 #1f4fd8 #2a9d5c #d62ad6 #e08214 #d62728"
-widths = pick("widths", "layout=li2")
-at(b) = pick("widths", "layout=li2 b=" . b)
+widths = pick("widths layout=li2")
+at(b) = pick("widths layout=li2 b=" . b)
 bounds(b) = sprintf("< build/bin/mlg areas %s layout=li2 b=%s bounds", file, b)
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1200,1150 font "DejaVu Sans,13" } \

@@ -7,8 +7,8 @@ value_of(l, c) = number(sprintf("layouts_planes %s panel=%s", c, l))
 # the widest interval in hand of layout l at k_s: c_lo and c_hi
 bound(l, c) = number(sprintf("layouts %s layout=%s nearest:k_s=%s", c, l, cell("layouts_planes k_s panel=" . l)))
 branch(l) = where("results/layouts_branches.csv", "layout", l)
-plane(l) = pick("layouts_planes", sprintf("panel=%s blocks=curve", l))
-widths(l) = pick("widths", sprintf("layout=%s 'width>0'", l))
+plane(l) = pick(sprintf("layouts_planes panel=%s blocks=curve", l))
+widths(l) = pick(sprintf("widths layout=%s 'width>0'", l))
 stable(y) = column(7) == 1 ? y : NaN
 is(type, y) = strcol(3) eq type ? y : NaN
 

@@ -5,7 +5,7 @@ kilo = 1e-3 # axes in kN m s/rad
 mega = 1e-6 # and MN m/rad
 points = "results/boundary_points.csv"
 # the boundary points of these names, "BP1|meet", a block a curve
-curve(layout, b, names) = pick(points, sprintf("layout=%s b=%s 'name=%s' k_s!=inf blocks=curve smooth=k_s,c_d", layout, b, names))
+curve(layout, b, names) = pick(sprintf("%s layout=%s b=%s 'name=%s' k_s!=inf blocks=curve smooth=k_s,c_d", points, layout, b, names))
 # the zero-shimmy intervals: 1 k_s, 2 c_lo, 3 c_hi, 4 width
 region(layout, b, file) = sprintf("< build/bin/mlg areas %s layout=%s b=%s", file, layout, b)
 set style line 11 lc rgb "#1f4fd8" lw 2   # BP1

@@ -1,8 +1,8 @@
 # sections.gp - past the torus points, from results/sections.csv, tori.csv, fig06.csv
 file = "results/sections.csv"
-rows(part, V) = sprintf("< awk -F, '$1 == \"%s\" && $2 == %s' %s", part, V, file)
-branch(name) = sprintf("< awk -F, '$1 == \"a\" && $2 == \"%s\"' results/fig06.csv", name)
-tori = "< awk -F, '$4 == \"torus\"' results/tori.csv"
+rows(part, V) = pick(sprintf("%s where=part=%s where=V=%s", file, part, V))
+branch(name) = pick(sprintf("results/fig06.csv where=panel=a where=branch=%s", name))
+tori = where("results/tori.csv", "found", "torus")
 # columns: sections 3 t, 4 psi, 5 dstar; tori 2 V, 5 psi_max; fig06 3 type, 4 V, 5 psi_max, 7 stable
 mm = 1000.
 if_stable(y, yes) = (column(7) == 1) == yes ? y : NaN

@@ -22,9 +22,10 @@ set tics nomirror out
 set format "%h" # without the leading blank of gnuplot's own, which shifts the labels
 set key noautotitle
 
-# Rows of a table of results/ that these conditions fit, "panel=a k_s<5e5 blocks=curve", and
-# one of its cells (mlg help pick, mlg help cell).
-pick(table, conditions) = sprintf("< build/bin/mlg pick %s %s", table, conditions)
+# Rows of a table of results/, "fig09 panel=a k_s=1e6 blocks=curve", and one of its cells (mlg
+# help pick, mlg help cell).
+pick(words) = "< build/bin/mlg pick ".words
 cell(words) = system("build/bin/mlg cell " . words)
 number(words) = real(cell("format=%.10e " . words)) # of "4e5" gnuplot makes none
-where(file, column, value) = pick(file, sprintf("'%s=%s'", column, value))
+where(file, column, value) = pick(sprintf("%s '%s=%s'", file, column, value))
+value_of(words) = real(system("build/bin/mlg pick ".words)) # not of "4e5", see number

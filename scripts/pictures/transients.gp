@@ -1,10 +1,14 @@
 # transients.gp - peaks, settling times and damping ratios over V from
-# results/transients.csv and build/tables/transients.*.zeta.csv (scripts/transients.sh)
+# results/transients.csv and build/tables/transients.*.csv (scripts/studies/transients.sh)
 gears = "paper.l1 paper.l2 paper.li1 paper.li2 best.l2 best.li1 best.li2"
 names = "L1 L2 LI1 LI2"
 colours = "#000000 #1f4fd8 #2a9d5c #e08214"
 # rows: 3 V, 5 psi_max, 6 dstar_max, 7 psi_5, 9 dstar_5
-rows(i, disturbance) = sprintf("< awk -F, -v gear=%s '$1\".\"$2==gear && $4==\"%s\"' results/transients.csv", word(gears, i), disturbance)
+choice(i) = word(gears, i)[:strstrt(word(gears, i), ".") - 1]
+layout(i) = word(gears, i)[strstrt(word(gears, i), ".") + 1:*]
+rows(i, disturbance) = pick(sprintf("results/transients.csv where=choice=%s where=layout=%s where=disturbance=%s", choice(i), layout(i), disturbance))
+# at every m/s: 1 V, 3 psi_max, 4 dstar_max
+peaks(i, disturbance) = where(sprintf("build/tables/transients.%s.peaks.csv", word(gears, i)), "disturbance", disturbance)
 zeta(i) = sprintf("build/tables/transients.%s.zeta.csv", word(gears, i))
 do for [i=1:4] { set style line 30+i lw 2 lc rgb word(colours, i) }
 do for [i=5:7] { set style line 30+i lw 2 lc rgb word(colours, i - 3) dt 2 }
@@ -27,22 +31,22 @@ do for [ending in "png svg"] {
     unset logscale; set format y "%h"; set ytics auto
     if (panel == 1) {
       set title "(a) peak after ψ' = 1 rad/s" offset 0,-0.6; set ylabel "max |ψ| (deg)" offset 1,0; set yrange [0.7:1.3]
-      plot for [i=1:7] rows(i, "psi") using 3:5 with lines ls 30+i
+      plot for [i=1:7] peaks(i, "psi") using 1:3 with lines ls 30+i
       unset label; unset arrow # the legend, once is enough
     }
     if (panel == 3) {
       set title "(c) peak after δ' = 0.45 rad/s" offset 0,-0.6; set ylabel "max |δ*| (mm)" offset 1,0; set yrange [3.03:3.1]
-      plot for [i=1:7] rows(i, "delta") using 3:(1e3*$6) with lines ls 30+i
+      plot for [i=1:7] peaks(i, "delta") using 1:(1e3*$4) with lines ls 30+i
     }
     if (panel == 2 || panel == 4) {
       set logscale y; set format y "10^{%T}"; set ylabel "settling time to 5 % (s)" offset 0.5,0
       if (panel == 2) {
         set title "(b) ψ settles after ψ'" offset 0,-0.6; set yrange [0.1:2e3]
-        plot for [i=1:7] rows(i, "psi") using 3:7 with lines ls 30+i
+        plot for [i=1:7] rows(i, "psi") using 3:7 with linespoints ls 30+i pt 7 ps 0.35
       } else {
         set title "(d) δ* settles after δ'" offset 0,-0.6; set yrange [1:1e4]
         set label 1 "1 hour" at graph 0.97,first 3600*1.3 right
-        plot 3600 with lines lc rgb "#808080" dt 3, for [i=1:7] rows(i, "delta") using 3:9 with lines ls 30+i
+        plot 3600 with lines lc rgb "#808080" dt 3, for [i=1:7] rows(i, "delta") using 3:9 with linespoints ls 30+i pt 7 ps 0.35
       }
       unset label 1
     }

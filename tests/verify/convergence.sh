@@ -8,17 +8,14 @@
 # ours: results/special_points.csv, to be right to half a unit of the last digit shown.
 # Needs:  the run fig06.a.straight, and makes it.
 # Prints: rows what,unit,ours,oracle,tolerance (no header)
-. "$(dirname "${BASH_SOURCE[0]}")/../../scripts/lib.sh"
+. "$(dirname "${BASH_SOURCE[0]}")/../../scripts/auto/lib.sh"
 
 shown() { # RUN TYPE COLUMN
-  awk -F, -v run="$1" -v type="$2" -v column="$3" '$3 == run && $4 == type { print $column }' results/special_points.csv
+  mlg pick results/special_points.csv where=run="$1" where=type="$2" columns="$3"
 }
 
 found() { # RUN TYPE COLUMN [V]
-  awk -v wanted="$2" -v quantity="$3" -v V="${4:-}" -f scripts/auto.awk -f <(echo '
-    type == wanted && (V == "" || (value["V"] - V) ^ 2 < 1e-12) && !n++ {
-      printf "%.10g", (quantity == "frequency_hz" ? 1 / value["period"] : value[quantity]) }
-    END { if (!n) print "nan" }') "build/runs/$1/d.$1" "build/runs/$1/b.$1"
+  mlg point "$1" "$2" columns="${3/_hz/}:.10g" ${4:+where=V="$4"} || echo nan
 }
 
 # row WHAT UNIT OURS ORACLE: to half a unit of the last digit of OURS
@@ -36,12 +33,12 @@ for mesh in $meshes; do
     IFS=: read -r shimmy start V name <<< "$branch"
     fine=verify.$shimmy.${mesh/=/}
     run "$fine" l1.periodic from=fig06.a.straight IRS="'$start'" "$mesh" EPSL=1e-9 EPSU=1e-9 EPSS=1e-8 -- TR=1 closed=1 >&2
-    for quantity in V:5:m/s psi_max:10:deg dstar_max:11:m frequency_hz:9:Hz; do
-      IFS=: read -r column place unit <<< "$quantity"
+    for quantity in V:m/s psi_max:deg dstar_max:m frequency_hz:Hz; do
+      IFS=: read -r column unit <<< "$quantity"
       row "torus point on the $shimmy branch ($mesh): $column" "$unit" \
-        "$(shown "fig06.a.$shimmy" TR "$place")" "$(found "$fine" TR "$column")"
+        "$(shown "fig06.a.$shimmy" TR "$column")" "$(found "$fine" TR "$column")"
       [ "$column" = V ] || row "solution $name at V = $V ($mesh): $column" "$unit" \
-        "$(shown "fig06.a.$shimmy" UZ "$place")" "$(found "$fine" UZ "$column" "$V")"
+        "$(shown "fig06.a.$shimmy" UZ "$column")" "$(found "$fine" UZ "$column" "$V")"
     done
   done
 done

@@ -6,6 +6,6 @@
 # Prints rows what,unit,ours,oracle,tolerance; short takes a tenth of the samples.
 # tests/derivation.py says what they mean and what is needed.
 set -euo pipefail
-. "$(dirname "${BASH_SOURCE[0]}")/../../scripts/tools.sh"
+. "$(dirname "${BASH_SOURCE[0]}")/../../scripts/auto/tools.sh"
 [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent libmlg
 exec python3 tests/derivation.py "$@"

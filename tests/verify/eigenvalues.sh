@@ -9,7 +9,7 @@
 # Prints: rows what,unit,ours,oracle,tolerance (no header); short: Figures 6 and 7, and
 #         every twentieth point of the others.
 set -euo pipefail
-. "$(dirname "${BASH_SOURCE[0]}")/../../scripts/tools.sh"
+. "$(dirname "${BASH_SOURCE[0]}")/../../scripts/auto/tools.sh"
 [ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent test-programs
 every=1
 [ "${1:-}" != short ] || every=20

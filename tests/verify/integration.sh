@@ -12,42 +12,34 @@
 #         says why on standard error).  tolerance: relative, or with its unit
 #         absolute.  short: the quickest of them.
 # Status: 0 the rows stand, 1 a run of AUTO failed, 2 bad input.
-. "$(dirname "${BASH_SOURCE[0]}")/../../scripts/lib.sh"
+. "$(dirname "${BASH_SOURCE[0]}")/../../scripts/auto/lib.sh"
 
 case $#,${1:-} in 0, | 1,short) ;; *) fail "usage: tests/verify/integration.sh [short]" 2 ;; esac
-[ -n "${MLG_BUILT:-}" ] || make --no-print-directory --silent test-programs
+build test-programs
 
-# cell NAME WHERE < CSV: column NAME of the first row in which all of WHERE, words
-# COLUMN=VALUE, hold (as numbers to 1e-6); nan without such a row
-cell() {
-  awk -F, -v wanted="$1" -v where="${2:-}" '
-    /^#/ { next }
-    !named++ { for (k = 1; k <= NF; k++) place[$k] = k; n = split(where, condition, " "); next }
-    {
-      for (k = 1; k <= n; k++) {
-        split(condition[k], word, "=")
-        is = $place[word[1]]
-        if (is != word[2] && !(is ~ /^[0-9.]+$/ && (is - word[2]) ^ 2 < 1e-12)) next
-      }
-      print $place[wanted]; found = 1; exit
-    }
-    END { if (!found) print "nan" }'
+# The first value of a column of a table where all words hold; nan without one
+value() { # TABLE NAME [where=COLUMN=VALUE ...]
+  mlg pick "$1" columns="$2" "${@:3}" | sed -n 1p | grep . || echo nan
 }
 
-special() { cell "$1" "$2" < results/special_points.csv; } # NAME WHERE
+special() { # NAME COLUMN=VALUE...
+  local words=("${@:2}")
+  value results/special_points.csv "$1" "${words[@]/#/where=}"
+}
 
-simulated() { # WORD...: the table of mlg simulate; empty if it fails, which it says
-  build/bin/mlg simulate l1 "$@" || true
+simulated() { # WORD...: the table of mlg simulate as $table; empty if it fails, which it says
+  table=build/tests/verify/simulated.csv
+  mlg simulate l1 "$@" > "$table" || true
 }
 
 # orbit WHAT AUTO WORD...: rows of the solution that simulate settles on, against
 # what the function AUTO gives for a column
 orbit() {
-  local what=$1 auto=$2 table name
+  local what=$1 auto=$2 table name unit
   shift 2
-  table=$(simulated orbit "$@")
+  simulated orbit "$@"
   while read -r name unit; do
-    printf '%s: %s,%s,%s,%s,1e-4\n' "$what" "$name" "$unit" "$($auto "$name")" "$(cell "$name" <<< "$table")"
+    printf '%s: %s,%s,%s,%s,1e-4\n' "$what" "$name" "$unit" "$($auto "$name")" "$(value "$table" "$name")"
   done <<< 'psi_max deg
 dstar_max m
 frequency_hz Hz'
@@ -57,9 +49,9 @@ frequency_hz Hz'
 growth() {
   local what=$1 rate=$2 frequency=$3 tolerance=$4 table
   shift 4
-  table=$(simulated growth "$@")
-  printf '%s: growth rate,1/s,%s,%s,%s\n' "$what" "$rate" "$(cell rate <<< "$table")" "$tolerance"
-  printf '%s: frequency,Hz,%s,%s,1e-5\n' "$what" "$frequency" "$(cell frequency_hz <<< "$table")"
+  simulated growth "$@"
+  printf '%s: growth rate,1/s,%s,%s,%s\n' "$what" "$rate" "$(value "$table" rate)" "$tolerance"
+  printf '%s: frequency,Hz,%s,%s,1e-5\n' "$what" "$frequency" "$(value "$table" frequency_hz)"
 }
 
 # eigenvalue WHAT STATE=VALUE PARAMETER=VALUE...: growth against the eigenvalue
@@ -71,27 +63,23 @@ eigenvalue() {
   growth "$what" "$rate" "$frequency" 1e-4 "$start" t_end=40 "$@"
 }
 
-A() { special "$1" "run=fig06.a.psi type=UZ V=20"; }
-B() { special "$1" "run=fig06.a.delta type=UZ V=40"; }
-b() { special "$1" "run=fig06.b.delta type=UZ V=40"; }
-c() { special "$1" "run=fig06.c.psi type=UZ V=20"; }
+A() { special "$1" run=fig06.a.psi type=UZ V=20; }
+B() { special "$1" run=fig06.a.delta type=UZ V=40; }
+b() { special "$1" run=fig06.b.delta type=UZ V=40; }
+c() { special "$1" run=fig06.c.psi type=UZ V=20; }
 
 # the solution at V = 29 on a branch of Figure 6(a), between its torus points
 between() { # BRANCH NAME
-  if [ "$2" = frequency_hz ]; then
-    scripts/table.sh "verify.$1" | cell period "type=UZ V=29" | awk '{ printf "%.8g\n", 1 / $1 }'
-  else
-    scripts/table.sh "verify.$1" | cell "$2" "type=UZ V=29"
-  fi
+  mlg point "verify.$1" UZ where=V=29 columns="${2/_hz/}:.8g" || echo nan
 }
 between_psi() { between psi "$1"; }
 between_delta() { between delta "$1"; }
 
-V=$(special V "run=fig06.a.straight type=HB") # the first: psi
-growth "Hopf point V = $V (6a)" 0 "$(special frequency_hz "run=fig06.a.straight type=HB V=$V")" \
+V=$(special V run=fig06.a.straight type=HB) # the first: psi
+growth "Hopf point V = $V (6a)" 0 "$(special frequency_hz run=fig06.a.straight type=HB V="$V")" \
   '1e-5 1/s' V="$V" psi=1e-6 t_end=120
-V=$(special V "run=fig06.b.straight type=HB")
-growth "Hopf point V = $V (6b)" 0 "$(special frequency_hz "run=fig06.b.straight type=HB V=$V")" \
+V=$(special V run=fig06.b.straight type=HB)
+growth "Hopf point V = $V (6b)" 0 "$(special frequency_hz run=fig06.b.straight type=HB V="$V")" \
   '1e-6 1/s' c_d=5e3 V="$V" delta=1e-6 t_end=40
 eigenvalue 'psi at V = 13 (6a)' psi=1e-6 V=13
 eigenvalue 'psi at V = 14 (6a)' psi=1e-6 V=14

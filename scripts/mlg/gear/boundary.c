@@ -40,15 +40,37 @@ static void read_range(struct arguments *a, int argc, char *argv[])
     fail(argv[0], MLG_BAD_INPUT, "V_least = %g m/s is not below V_top = %g m/s", options[0].value, a->V_top);
 }
 
-static void print_points(const struct libmlg_point point[], int n, int with_kind)
+static const char units[] = "# c_d N m s/rad, V m/s";
+
+static void print_boundary_points(const struct libmlg_point point[], int n)
 {
-  printf("# c_d N m s/rad, V m/s\nc_d,V,frequency_hz,%sshimmy\n", with_kind ? "extremum," : "");
-  for (int i = 0; i < n; i++) {
-    printf("%.10g,%.10g,%.10g,", point[i].c_d, point[i].V, point[i].omega / (2. * MLG_PI));
-    if (with_kind)
-      printf("%s,", kind_name(point[i].kind));
-    printf("%s\n", shimmy_name(&point[i]));
-  }
+  printf("%s\nc_d,V,frequency_hz,extremum,shimmy\n", units);
+  for (int i = 0; i < n; i++)
+    printf("%.10g,%.10g,%.10g,%s,%s\n", point[i].c_d, point[i].V, point[i].omega / (2. * MLG_PI), kind_name(point[i].kind),
+           shimmy_name(&point[i]));
+}
+
+/* "above" or "below": on which side of a Hopf point, in the parameter n, its mode grows. */
+static const char *grows(struct arguments *a, const struct libmlg_point *p, enum parameter_number n)
+{
+  const struct libmlg_mode mode = { .re = 0., .im = p->omega };
+  double slope;
+
+  a->par[NUMBER_V] = p->V;
+  a->par[NUMBER_C_D] = p->c_d;
+  if (libmlg_growth_slope(a->layout, a->par, &mode, n, &slope) != 0)
+    fail(a->command, MLG_FAILED, "no mode at V = %g, c_d = %g", p->V, p->c_d);
+  return slope > 0. ? "above" : "below";
+}
+
+static void print_hopf_points(struct arguments *a, const struct libmlg_point point[], int n)
+{
+  const enum parameter_number along = a->word[NUMBER_V] ? NUMBER_C_D : NUMBER_V;
+
+  printf("%s\nc_d,V,frequency_hz,shimmy,grows\n", units);
+  for (int i = 0; i < n; i++)
+    printf("%.10g,%.10g,%.10g,%s,%s\n", point[i].c_d, point[i].V, point[i].omega / (2. * MLG_PI), shimmy_name(&point[i]),
+           options[1].value == 0. ? grows(a, &point[i], along) : "");
 }
 
 static int run_boundary(int argc, char *argv[])
@@ -59,8 +81,8 @@ static int run_boundary(int argc, char *argv[])
   read_range(&a, argc, argv);
   refuse_given(&a, NUMBER_V, "boundary points are asked for at every V");
   refuse_given(&a, NUMBER_C_D, "boundary points are asked for at every c_d");
-  print_points(point, checked(argv[0], libmlg_boundary_points(a.layout, a.par, options[1].value, options[0].value, a.V_top,
-                                                              point, LIBMLG_MOST_POINTS)), 1);
+  print_boundary_points(point, checked(argv[0], libmlg_boundary_points(a.layout, a.par, options[1].value, options[0].value, a.V_top,
+                                                                       point, LIBMLG_MOST_POINTS)));
   return output_status(argv[0]);
 }
 
@@ -77,7 +99,7 @@ static int run_hopf(int argc, char *argv[])
     n = libmlg_hopf_at_V(a.layout, a.par, options[1].value, point, LIBMLG_MOST_POINTS);
   else
     n = libmlg_hopf_at_c_d(a.layout, a.par, options[1].value, options[0].value, a.V_top, point, LIBMLG_MOST_POINTS);
-  print_points(point, checked(argv[0], n), 0);
+  print_hopf_points(&a, point, checked(argv[0], n));
   return output_status(argv[0]);
 }
 
@@ -125,7 +147,9 @@ const struct command command_hopf = {
   .usage = "LAYOUT V=VALUE|c_d=VALUE [NAME=VALUE ...] [V_least=0] [zeta=0]",
   .summary = "all Hopf points at one V or at one c_d",
   .details =
-    "By rising c_d or V; columns as those of `mlg boundary`.  zeta: points of that damping ratio.\n",
+    "By rising c_d or V; columns as those of `mlg boundary`, and\n"
+    "  grows         above, below: on which side in c_d or V the mode of the point grows\n"
+    "zeta: points of that damping ratio instead; grows is empty then.\n",
   .run = run_hopf,
 };
 

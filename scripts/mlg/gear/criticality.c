@@ -1,10 +1,12 @@
 /* criticality.c - is shimmy born beside the stable gear or not? at Hopf points of a table */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "arguments.h"
 #include "command.h"
+#include "names.h"
 
 static const char name[] = "criticality";
 
@@ -40,32 +42,98 @@ static bool read_point(struct arguments *a, double *frequency_hz)
   return true;
 }
 
-static int run(int argc, char *argv[])
+/* A Hopf point, and what is found there. */
+struct point { double V, c_d, frequency_hz, delta_over_psi, a, growth; };
+
+/* That of the mode nearest to the frequency of p, at its V and c_d. */
+static void examine(struct arguments *a, struct point *p)
 {
-  struct arguments a;
-  double frequency_hz = 0., coefficient, growth;
   struct libmlg_mode mode;
 
-  read_arguments(&a, argc, argv, NULL);
+  a->par[NUMBER_V] = p->V;
+  a->par[NUMBER_C_D] = p->c_d;
+  if (libmlg_criticality(a->layout, a->par, 2. * MLG_PI * p->frequency_hz, &mode, &p->a) != 0
+      || libmlg_growth_slope(a->layout, a->par, &mode, NUMBER_C_D, &p->growth) != 0)
+    fail(name, MLG_FAILED, "no mode at V = %g, c_d = %g", p->V, p->c_d);
+  p->frequency_hz = mode.frequency_hz;
+  p->delta_over_psi = mode.delta_over_psi;
+}
+
+static void print_point(const struct point *p, int digits)
+{
+  printf("%.*g,%.*g,%.*g,%.*g,%.*g,%.*g\n", digits, p->V, digits, p->c_d, digits, p->frequency_hz, digits, p->delta_over_psi, digits,
+         p->a, digits, p->growth);
+}
+
+/* The Hopf point at the speed V whose c_d lies between those of p and q; false: none. */
+static bool between(struct arguments *a, const struct point *p, const struct point *q, double V, struct point *found)
+{
+  struct libmlg_point point[LIBMLG_MOST_POINTS];
+  int n;
+
+  a->par[NUMBER_V] = V;
+  n = checked(name, libmlg_hopf_at_V(a->layout, a->par, 0., point, LIBMLG_MOST_POINTS));
+  for (int i = 0; i < n && i < LIBMLG_MOST_POINTS; i++)
+    if ((point[i].c_d - p->c_d) * (point[i].c_d - q->c_d) < 0.) {
+      *found = (struct point){ .V = V, .c_d = point[i].c_d, .frequency_hz = point[i].omega / (2. * MLG_PI) };
+      examine(a, found);
+      return true;
+    }
+  return false;
+}
+
+/* The point GH between p and q, at which a passes 0, by bisection in V. */
+static void print_change(struct arguments *a, struct point p, struct point q, int digits)
+{
+  struct point middle = p;
+
+  while (fabs(q.V - p.V) > 1e-10 * p.V && between(a, &p, &q, 0.5 * (p.V + q.V), &middle))
+    *((middle.a > 0.) == (p.a > 0.) ? &p : &q) = middle;
+  if (fabs(q.V - p.V) > 1e-6 * p.V)
+    fail(name, MLG_FAILED, "no Hopf point between V = %g, c_d = %g and V = %g, c_d = %g: on one curve they would be neighbours",
+         p.V, p.c_d, q.V, q.c_d);
+  middle.a = 0.;
+  print_point(&middle, digits);
+}
+
+static int run(int argc, char *argv[])
+{
+  struct option option[] = { { "digits", "", 1., 17., 10., NULL }, { .name = NULL } };
+  struct arguments a;
+  struct point p = { .V = 0. }, before = { .V = 0. };
+  bool changes = false;
+
+  begin_arguments(&a, argc, argv, option);
+  for (int i = 2; i < argc; i++)
+    if (strcmp(argv[i], "GH") == 0)
+      changes = true;
+    else
+      take_word(&a, argv[i]);
+  end_arguments(&a);
   for (enum parameter_number n = NUMBER_V; n <= NUMBER_B; n++)
     refuse_given(&a, n, "the points on standard input give it");
   printf("V,c_d,frequency_hz,delta_over_psi,a,growth_in_c_d\n");
-  while (read_point(&a, &frequency_hz)) {
-    if (libmlg_criticality(a.layout, a.par, 2. * MLG_PI * frequency_hz, &mode, &coefficient) != 0
-        || libmlg_growth_slope(a.layout, a.par, &mode, NUMBER_C_D, &growth) != 0)
-      fail(name, MLG_FAILED, "no mode at V = %g, c_d = %g", a.par[NUMBER_V], a.par[NUMBER_C_D]);
-    printf("%.10g,%.10g,%.8g,%.6g,%.10g,%.10g\n", a.par[NUMBER_V], a.par[NUMBER_C_D], mode.frequency_hz,
-           mode.delta_over_psi, coefficient, growth);
+  for (int i = 0; read_point(&a, &p.frequency_hz); i++) {
+    p.V = a.par[NUMBER_V];
+    p.c_d = a.par[NUMBER_C_D];
+    examine(&a, &p);
+    if (!changes)
+      print_point(&p, (int)option[0].value);
+    else if (i > 0 && p.a * before.a < 0.)
+      print_change(&a, before, p, (int)option[0].value);
+    before = p;
   }
   return output_status(name);
 }
 
 const struct command command_criticality = {
   .name = name,
-  .usage = "LAYOUT [NAME=VALUE ...] < POINTS",
+  .usage = "LAYOUT [GH] [NAME=VALUE ...] [digits=10] < POINTS",
   .summary = "are Hopf points super- or subcritical?",
   .details =
-    "POINTS: a line V,c_d,k_s,b,frequency_hz for each Hopf point, SI units.\n"
+    "POINTS: a line V,c_d,k_s,b,frequency_hz for each Hopf point, SI units.  GH: instead of\n"
+    "these, points of one Hopf curve in order, those between two of them at which a\n"
+    "passes 0 (generalised Hopf points; k_s and b are the same for all).\n"
     "\n"
     "Prints CSV, a row for each:\n"
     "  V, c_d          m/s, N m s/rad\n"

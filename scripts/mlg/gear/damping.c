@@ -5,23 +5,22 @@
 
 #include "arguments.h"
 #include "command.h"
-#include "golden.h"
+#include "names.h"
 
 static const char name[] = "damping";
 
 struct range { const char *text; double from, to; int n; }; /* text begins NAME= */
 
 enum { MOST_RANGES = 4 };
+enum { V_LEAST, B_LEAST, B_MOST };
 
 struct search {
   struct arguments given;
+  struct option option[4];
   bool at_V; /* V is given, else all speeds count */
   struct range range[MOST_RANGES];
   int ranges;
-  int level;                 /* of best: the range that is being searched */
   double value[MOST_RANGES]; /* of each range */
-  double best[MOST_RANGES];  /* the values so far best */
-  struct libmlg_mode best_mode;
 };
 
 static double range_value(const struct range *r, int i)
@@ -44,82 +43,133 @@ static void set_range(struct search *search, int k, double value)
   search->value[k] = value;
 }
 
-static struct libmlg_mode mode_of(const struct search *search)
+static _Noreturn void no_answer(const struct arguments *a)
 {
-  const struct arguments *a = &search->given;
-  struct libmlg_mode mode;
-  const int status = search->at_V ? libmlg_least_damped(a->layout, a->par, &mode)
-                                  : libmlg_least_damped_to(a->layout, a->par, a->V_top, &mode);
+  fail(name, MLG_FAILED, "no eigenvalues at V = %g, c_d = %g", a->par[NUMBER_V], a->par[NUMBER_C_D]);
+}
 
-  if (status != 0)
-    fail(name, MLG_FAILED, "no eigenvalues at V = %g, c_d = %g", a->par[NUMBER_V], a->par[NUMBER_C_D]);
+/* The least damped mode at the V of a. */
+static struct libmlg_mode mode_at(struct arguments *a, double V)
+{
+  struct libmlg_mode mode;
+
+  a->par[NUMBER_V] = V;
+  if (libmlg_least_damped(a->layout, a->par, &mode) != 0)
+    no_answer(a);
   return mode;
 }
 
-static void print_row(const struct search *search, const double value[], const struct libmlg_mode *mode)
+static struct libmlg_mode mode_between(struct arguments *a, double V_least, double V_top)
 {
-  for (int k = 0; k < search->ranges; k++)
-    printf("%.10g,", value[k]);
+  struct libmlg_ratio least;
+
+  if (libmlg_least_ratio(a->layout, a->par, V_least, V_top, &least) != 0)
+    no_answer(a);
+  return mode_at(a, least.V);
+}
+
+/* "zeta,V,frequency_hz,shimmy,t_5" */
+static void print_mode(const struct libmlg_mode *mode, bool with_V)
+{
   printf("%.8g,", mode->zeta);
-  if (!search->at_V)
+  if (with_V)
     printf("%.8g,", mode->V);
-  printf("%.8g,%s\n", mode->frequency_hz, mode->delta_over_psi > 1. ? "delta" : "psi");
+  printf("%.8g,%s,", mode->frequency_hz, mode->delta_over_psi > 1. ? "delta" : "psi");
+  if (mode->re < 0.)
+    printf("%.6g", log(20.) / -mode->re);
+  printf("\n");
 }
 
 static void print_table(struct search *search, int k)
 {
-  if (k == search->ranges) {
-    const struct libmlg_mode mode = mode_of(search);
+  struct arguments *a = &search->given;
 
-    print_row(search, search->value, &mode);
+  if (k < search->ranges) {
+    for (int i = 0; i < search->range[k].n; i++) {
+      set_range(search, k, range_value(&search->range[k], i));
+      print_table(search, k + 1);
+    }
     return;
   }
-  for (int i = 0; i < search->range[k].n; i++) {
-    set_range(search, k, range_value(&search->range[k], i));
-    print_table(search, k + 1);
-  }
+  const struct libmlg_mode mode = search->at_V ? mode_at(a, a->par[NUMBER_V])
+                                               : mode_between(a, search->option[V_LEAST].value, a->V_top);
+
+  for (int i = 0; i < search->ranges; i++)
+    printf("%.10g,", search->value[i]);
+  print_mode(&mode, !search->at_V);
 }
 
-/* The largest zeta over the ranges from search->level on, with x for the one before. */
-static double best_from(double x, void *data)
+/* Where the best c_d is, two modes are often damped alike; of psi and delta the latter is
+ * shown, not the one that rounding chooses. */
+static struct libmlg_mode mode_shown(struct arguments *a, const struct libmlg_ratio *best, double V_least)
 {
-  struct search *search = data;
-  const int k = search->level;
+  const double above = best->zeta + 1e-6 * fabs(best->zeta);
+  struct libmlg_mode mode = mode_at(a, best->V), other;
+  struct libmlg_point point[LIBMLG_MOST_POINTS];
+  double from = 0., to = 0.;
+  int n;
 
-  if (k > 0)
-    set_range(search, k - 1, x);
-  if (k == search->ranges) {
-    const struct libmlg_mode mode = mode_of(search);
-
-    if (mode.zeta > search->best_mode.zeta) {
-      search->best_mode = mode;
-      memcpy(search->best, search->value, sizeof search->best);
+  if (mode.delta_over_psi > 1. || !(best->zeta > -1.))
+    return mode;
+  n = checked(name, libmlg_hopf_at_c_d(a->layout, a->par, above, V_least, a->V_top, point, LIBMLG_MOST_POINTS));
+  for (int i = 0; i < n && i < LIBMLG_MOST_POINTS; i++)
+    if (point[i].delta_over_psi > 1.) {
+      from = from > 0. ? from : point[i].V;
+      to = point[i].V;
     }
-    return mode.zeta;
-  }
-  const struct range *r = &search->range[k];
-  double best = -HUGE_VAL;
-  int at = 0;
-
-  search->level++;
-  for (int i = 0; i < r->n; i++) {
-    const double zeta = best_from(range_value(r, i), search);
-
-    if (zeta > best) {
-      best = zeta;
-      at = i;
-    }
-  }
-  const double top = summit(best_from, search, range_value(r, at > 0 ? at - 1 : 0),
-                            range_value(r, at + 1 < r->n ? at + 1 : at));
-
-  best = fmax(best, best_from(top, search));
-  search->level--;
-  return best;
+  if (!(from < to))
+    return mode;
+  other = mode_between(a, from, to);
+  return other.delta_over_psi > 1. && other.zeta < above ? other : mode;
 }
 
-/* NAME=FROM:TO:N, or NAME=FROM:TO for best. */
-static void add_range(struct search *search, const char *text, bool best)
+static void print_best(struct search *search)
+{
+  struct arguments *a = &search->given;
+  struct option *option = search->option;
+  const bool over_k_s = libmlg_uses(a->layout, NUMBER_K_S) && !a->word[NUMBER_K_S];
+  const bool over_b = option[B_MOST].word != NULL;
+  const double V_least = option[V_LEAST].value, b = a->par[NUMBER_B];
+  struct libmlg_ratio best;
+  int status;
+
+  refuse_given(a, NUMBER_C_D, "the best c_d is looked for");
+  refuse_given(a, NUMBER_V, "all speeds count");
+  if (over_b && !libmlg_uses(a->layout, NUMBER_B))
+    refuse(name, option[B_MOST].word, "layout %s has no b", libmlg_layout_name(a->layout));
+  if (over_b && a->word[NUMBER_B])
+    refuse(name, a->word[NUMBER_B], "b_most says that b is looked for");
+  if (over_b && a->word[NUMBER_K_S])
+    refuse(name, a->word[NUMBER_K_S], "the best b goes with its best k_s; leave it out");
+  if (!over_b && option[B_LEAST].word)
+    refuse(name, option[B_LEAST].word, "goes with b_most=VALUE");
+  if (option[B_LEAST].value > option[B_MOST].value)
+    refuse(name, option[B_MOST].word, "below b_least = %g", option[B_LEAST].value);
+  if (over_k_s)
+    status = libmlg_best_damped(a->layout, a->par, over_b ? option[B_LEAST].value : b, over_b ? option[B_MOST].value : b,
+                                V_least, a->V_top, &best);
+  else
+    status = libmlg_best_c_d(a->layout, a->par, V_least, a->V_top, &best);
+  if (status == LIBMLG_UNSURE)
+    fail(name, MLG_FAILED, "what was found contradicts itself: no answer for these parameters");
+  if (status != 0)
+    no_answer(a);
+  a->par[NUMBER_C_D] = best.c_d;
+  a->par[NUMBER_K_S] = best.k_s;
+  a->par[NUMBER_B] = best.b;
+  const struct libmlg_mode mode = mode_shown(a, &best, V_least);
+
+  printf("%s%sc_d,zeta,V,frequency_hz,shimmy,t_5\n", over_b ? "b," : "", over_k_s ? "k_s," : "");
+  if (over_b)
+    printf("%.8g,", best.b);
+  if (over_k_s)
+    printf("%.8g,", best.k_s);
+  printf("%.10g,", best.c_d);
+  print_mode(&mode, true);
+}
+
+/* NAME=FROM:TO:N */
+static void add_range(struct search *search, const char *text)
 {
   struct range *r = &search->range[search->ranges];
   const char *equals = strchr(text, '=');
@@ -127,68 +177,73 @@ static void add_range(struct search *search, const char *text, bool best)
 
   if (search->ranges == MOST_RANGES)
     refuse(name, text, "there are four ranges already");
-  *r = (struct range){ .text = text, .n = 13 };
-  if (!equals || (best ? sscanf(equals + 1, "%lf:%lf%c", &r->from, &r->to, &rest) != 2
-                       : sscanf(equals + 1, "%lf:%lf:%d%c", &r->from, &r->to, &r->n, &rest) != 3)
-      || !(r->from < r->to && isfinite(r->to)) || r->n < 2)
-    refuse(name, text, best ? "expected NAME=FROM:TO, FROM below TO"
-                            : "expected NAME=FROM:TO:N, FROM below TO and N above 1");
+  *r = (struct range){ .text = text };
+  if (!equals || sscanf(equals + 1, "%lf:%lf:%d%c", &r->from, &r->to, &r->n, &rest) != 3 || !(r->from < r->to && isfinite(r->to))
+      || r->n < 2)
+    refuse(name, text, "expected NAME=FROM:TO:N, FROM below TO and N above 1");
   take_value(&search->given, text, name_length(r), r->to);
   search->ranges++;
 }
 
 static int damping(int argc, char *argv[])
 {
-  struct search search = { .best_mode.zeta = -HUGE_VAL };
+  struct search search = { .option = { [V_LEAST] = { "V_least", "m/s", 1e-6, 1e3, 0.3, NULL },
+                                       [B_LEAST] = { "b_least", "N m s^2/rad", 0., 1e9, 0., NULL },
+                                       [B_MOST] = { "b_most", "N m s^2/rad", 0., 1e9, 0., NULL } } };
+  struct arguments *a = &search.given;
   const bool best = argc > 2 && strcmp(argv[2], "best") == 0;
 
-  begin_arguments(&search.given, argc, argv, NULL);
+  begin_arguments(a, argc, argv, search.option);
   for (int i = 2 + best; i < argc; i++)
-    if (strchr(argv[i], ':'))
-      add_range(&search, argv[i], best);
+    if (strchr(argv[i], ':') && !best)
+      add_range(&search, argv[i]);
     else
-      take_word(&search.given, argv[i]);
-  end_arguments(&search.given);
-  search.at_V = search.given.word[NUMBER_V] != NULL;
-  if (best && !search.ranges)
-    fail(name, MLG_BAD_INPUT, "expected LAYOUT best NAME=FROM:TO ... [NAME=VALUE ...]");
+      take_word(a, argv[i]);
+  end_arguments(a);
+  search.at_V = a->word[NUMBER_V] != NULL;
+  if (!search.at_V && !(search.option[V_LEAST].value < a->V_top))
+    fail(name, MLG_BAD_INPUT, "V_least = %g m/s is not below V_top = %g m/s", search.option[V_LEAST].value, a->V_top);
+  if (best) {
+    print_best(&search);
+    return output_status(name);
+  }
+  for (int k = B_LEAST; k <= B_MOST; k++)
+    if (search.option[k].word)
+      refuse(name, search.option[k].word, "goes with `mlg damping LAYOUT best`");
   for (int k = 0; k < search.ranges; k++)
     set_range(&search, k, search.range[k].from);
-  if (!(search.given.par[NUMBER_V] > 0.))
-    refuse(name, search.given.word[NUMBER_V], "the wheels have to roll: V above 0");
+  if (!(a->par[NUMBER_V] > 0.))
+    refuse(name, a->word[NUMBER_V], "the wheels have to roll: V above 0");
   for (int k = 0; k < search.ranges; k++)
     printf("%.*s,", (int)name_length(&search.range[k]), search.range[k].text);
-  printf("zeta,%sfrequency_hz,shimmy\n", search.at_V ? "" : "V,");
-  if (best) {
-    best_from(0., &search);
-    for (int k = 0; k < search.ranges; k++)
-      set_range(&search, k, search.best[k]);
-    print_row(&search, search.best, &search.best_mode);
-  } else {
-    print_table(&search, 0);
-  }
+  printf("zeta,%sfrequency_hz,shimmy,t_5\n", search.at_V ? "" : "V,");
+  print_table(&search, 0);
   return output_status(name);
 }
 
 const struct command command_damping = {
   .name = name,
-  .usage = "LAYOUT [best] [NAME=VALUE | NAME=FROM:TO:N ...]",
+  .usage = "LAYOUT [best] [NAME=VALUE | NAME=FROM:TO:N ...] [V_least=0.3] [b_least=0 b_most=VALUE]",
   .summary = "least damping ratio of straight rolling, as a table or the best",
   .details =
     "zeta = -Re(s)/|s| is the least over all eigenvalues s, at V if that is given, otherwise\n"
-    "the least over all speeds up to V_top.  N values stand in equal ratios, from FROM = 0\n"
-    "in equal steps.\n"
+    "the least over all V from V_least to V_top, exactly.  N values stand in equal ratios,\n"
+    "from FROM = 0 in equal steps.\n"
     "\n"
     "  mlg damping li1 b=140 k_s=6.38e5 c_d=6e3                   its least damping ratio\n"
     "  mlg damping li1 b=140 k_s=6.38e5 c_d=6e3 V=0.5:200:300     along V\n"
     "  mlg damping li1 b=140 k_s=3e5:1e6:100 c_d=1e3:2e4:100      over the plane (k_s, c_d)\n"
-    "  mlg damping li1 best b=140 c_d=1e3:3e4 compliance=0:0.35   the best damped gear\n"
+    "  mlg damping li1 best b=140 k_s=6.38e5                      the best c_d\n"
+    "  mlg damping li1 best b=140                                 and k_s, from rigid to 1e-6 k_psi\n"
+    "  mlg damping li1 best b_most=300                            and b, from 0 (b_least) to 300\n"
     "\n"
-    "best searches every range NAME=FROM:TO by 13 values and golden section about the best\n"
-    "of them, for each value of the ranges that stand before it.\n"
+    "best: the c_d of the largest least zeta, exactly, and the k_s (unless it is given) and b\n"
+    "(with b_most) by finer and finer grids.  Zeta is what counts there, and two modes often\n"
+    "share it; shown is that of delta if it is among them.\n"
     "\n"
-    "Prints CSV: a column for each range; zeta; V m/s where that is, if V is no column;\n"
-    "frequency_hz and shimmy (psi, delta) of that mode.  A real root that grows has\n"
+    "Prints CSV: a column for each range, for best b, k_s and c_d as far as they were looked\n"
+    "for; zeta; V m/s where that is, if V is no column; frequency_hz and shimmy (psi, delta)\n"
+    "of that mode; t_5 s, in which it decays to 5 %, if it does.  A real root that grows has\n"
     "zeta = -1 and frequency 0.\n",
   .run = damping,
 };

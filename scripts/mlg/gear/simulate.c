@@ -26,7 +26,8 @@ static const char details[] =
   "  orbit   period, frequency_hz, psi_max, dstar_max (maxima over the period), maxima\n"
   "          of psi in a period, change: how far, by the rate at which it converges, its\n"
   "          states are from those at t = infinity, relative to the oscillation; t:\n"
-  "          how long it took; limits: in the last period; the states at a maximum of psi\n"
+  "          how long it took; limits: in the last period; shimmy (psi, delta: the larger\n"
+  "          angle); the states at a maximum of psi\n"
   "  growth  rate, 1/s, and frequency_hz from the maxima of psi between t_end/2 and\n"
   "          t_end; change: the rate of the second half of these less that of the\n"
   "          first; the first and the last maximum, rad, and how many\n"
@@ -175,10 +176,10 @@ static void print_orbit(void)
   libmlg_run_section(&run, DDELTA, -1);
   while (next_crossing(now->t + period * (1. + 1e-6)))
     dstar_max = fmax(dstar_max, dstar());
-  print_head("period,frequency_hz,psi_max,dstar_max,maxima,change,t,limits");
+  print_head("period,frequency_hz,psi_max,dstar_max,maxima,change,t,limits,shimmy");
   print_state_names();
-  printf("\n%.11g,%.11g,%.11g,%.11g,%d,%.1e,%.5g,%ld", period, 1. / period, psi_max * 180. / MLG_PI,
-         dstar_max, k, change, now->t, run.limits - limits);
+  printf("\n%.11g,%.11g,%.11g,%.11g,%d,%.1e,%.5g,%ld,%s", period, 1. / period, psi_max * 180. / MLG_PI,
+         dstar_max, k, change, now->t, run.limits - limits, dstar_max > given.par[NUMBER_L_DELTA] * psi_max ? "delta" : "psi");
   memcpy(run.u, now->u, sizeof run.u);
   print_states();
   printf("\n");

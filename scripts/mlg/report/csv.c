@@ -1,6 +1,8 @@
 /* csv.c - the tables of results/; see csv.h */
+#define _XOPEN_SOURCE 700
 #include "csv.h"
 
+#include <fnmatch.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -108,8 +110,16 @@ double csv_number(const struct csv *t, int row, int column)
   return csv_is_number(csv_cell(t, row, column), &x) ? x : NAN;
 }
 
+/* A condition may have where= before it. */
+static const char *without_where(const char *word)
+{
+  return strncmp(word, "where=", 6) == 0 && strpbrk(word + 6, "=<>") ? word + 6 : word;
+}
+
 int is_condition(const char *word)
 {
+  word = without_where(word);
+
   const size_t n = strcspn(word, "=!<>");
 
   return n > 0 && word[n] != '\0' && (word[n] != '!' || word[n + 1] == '=');
@@ -117,6 +127,8 @@ int is_condition(const char *word)
 
 int read_row_condition(const struct csv *t, const char *word, struct condition *c, struct text *why)
 {
+  word = without_where(word);
+
   const size_t n = strcspn(word, "=!<>"), length = strcspn(word, "%=!<>");
   struct text name = TEXT_NONE;
   char *end = NULL;
@@ -136,17 +148,22 @@ int read_row_condition(const struct csv *t, const char *word, struct condition *
   return why->length > 0 ? -1 : 0;
 }
 
-/* Whether a text is one of "A|B|C". */
+/* Whether a text is one of "A|B|C*". */
 static int is_one_of(const char *cell, const char *list)
 {
-  for (const char *t = list; t; t = *t ? t + 1 : NULL) {
+  struct text one = TEXT_NONE;
+  int is = 0;
+
+  for (const char *t = list; t && !is; t = *t ? t + 1 : NULL) {
     const size_t n = strcspn(t, "|");
 
-    if (strlen(cell) == n && strncmp(cell, t, n) == 0)
-      return 1;
+    text_clear(&one);
+    text_append(&one, t, n);
+    is = fnmatch(one.at, cell, 0) == 0;
     t += n;
   }
-  return 0;
+  text_free(&one);
+  return is;
 }
 
 int fits_condition(const struct csv *t, int row, const struct condition *c)
@@ -157,7 +174,7 @@ int fits_condition(const struct csv *t, int row, const struct condition *c)
   if (csv_is_number(cell, &x) && csv_is_number(c->value, &y)) {
     if (c->modulus > 0.)
       x = fmod(x, c->modulus);
-    order = x < y ? -1. : x > y ? 1. : 0.;
+    order = x == y || (isfinite(y) && fabs(x - y) <= 1e-12 * fabs(y)) ? 0. : x < y ? -1. : 1.;
   } else
     order = c->modulus > 0. || strchr("<>", c->relation[0]) ? NAN : !is_one_of(cell, c->value);
   switch (c->relation[0]) {

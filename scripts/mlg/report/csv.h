@@ -29,9 +29,10 @@ const char *csv_cell(const struct csv *table, int row, int column);
 /* The same as a number, NaN when it is none. */
 double csv_number(const struct csv *table, int row, int column);
 
-/* NAME=VALUE, or another of = != < <= > >= between them: which rows are meant.  Two numbers
- * are compared as numbers, all else as texts, of which = takes several, NAME=A|B; NAME%N is
- * the rest of a division by N. */
+/* NAME=VALUE, or another of = != < <= > >= between them: which rows are meant; where= may
+ * stand before it.  Two numbers are compared as numbers, equal to 1e-12, all else as texts:
+ * VALUE may have the shell's * ? [] and be one of several, NAME=A|B*.  NAME%N is the rest
+ * of a division by N. */
 struct condition {
   int column;
   char relation[3];

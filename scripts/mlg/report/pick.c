@@ -1,4 +1,4 @@
-/* pick.c - mlg pick: rows of a table, for a picture; mlg areas: intervals over k_s as areas */
+/* pick.c - mlg pick: rows and columns of a table, for pictures and scripts */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,75 +7,120 @@
 #include "command.h"
 #include "csv.h"
 
-static int read_or_say(const char *who, const char *name, struct csv *table)
-{
-  struct text file = TEXT_NONE, why = TEXT_NONE;
-  int status;
+enum { MOST_COLUMNS = 64 };
 
-  add_table_file(&file, name);
-  status = csv_read(file.at, table, &why);
-  if (status != 0)
-    say_line(who, why.at);
-  text_free(&file);
-  text_free(&why);
-  return status == 0 ? MLG_OK : MLG_BAD_INPUT;
+/* NAME*FACTOR:FORMAT; without both a cell stays as it is. */
+struct shown { int column; double factor; char format[12]; };
+
+struct pick {
+  struct csv table;
+  struct condition *where;
+  int conditions;
+  struct shown shown[MOST_COLUMNS];
+  int columns;
+  int block[MOST_COLUMNS], blocks;
+  int first; /* columns, or -1: */
+  int x, y;
+  long every;
+  int head;
+};
+
+/* A name of a list "NAME,NAME"; returns the column. */
+static int named(const struct csv *t, const char *list, size_t length, struct text *why)
+{
+  struct text name = TEXT_NONE;
+  int column;
+
+  text_clear(&name);
+  text_append(&name, list, length);
+  column = csv_column(t, name.at);
+  if (column < 0) {
+    text_add(why, "%s has no column '%s'; it has", t->file, name.at);
+    for (int k = 0; k < t->columns; k++)
+      text_add(why, "%s %s", k ? "," : "", csv_name(t, k));
+  }
+  text_free(&name);
+  return column;
 }
 
-/* What pick is asked for beside conditions. */
-struct how { int block, x, y; }; /* columns, or -1 */
-
-/* blocks=COLUMN, smooth=COLUMN,COLUMN; 0: word is none of these */
-static int read_how(const struct csv *t, const char *word, struct how *how, struct text *why)
+static void read_shown(struct pick *p, const char *text, size_t length, struct text *why)
 {
-  struct text first = TEXT_NONE;
-  const char *comma = strchr(word, ',');
+  struct shown *s = &p->shown[p->columns++];
+  const size_t name = strcspn(text, "*:,"), before = strcspn(text, ":,");
+  char *end;
 
-  if (strncmp(word, "blocks=", 7) == 0) {
-    if ((how->block = csv_column(t, word + 7)) < 0)
-      text_add(why, "'%s': %s has no such column", word, t->file);
-    return 1;
+  *s = (struct shown){ named(&p->table, text, name, why), 1., "" };
+  if (s->column >= 0 && name < before) {
+    s->factor = strtod(text + name + 1, &end);
+    strcpy(s->format, "%.10g");
+    if (end != text + before || !isfinite(s->factor))
+      text_add(why, "'%.*s': expected a number behind *", (int)length, text);
   }
-  if (strncmp(word, "smooth=", 7) != 0)
-    return 0;
-  if (comma) {
-    text_append(&first, word + 7, (size_t)(comma - word - 7));
-    how->x = csv_column(t, first.at);
-    how->y = csv_column(t, comma + 1);
+  if (s->column >= 0 && before < length) {
+    if (length - before < sizeof s->format)
+      snprintf(s->format, sizeof s->format, "%%%.*s", (int)(length - before - 1), text + before + 1);
+    if (length - before >= sizeof s->format || !is_number_format(s->format))
+      text_add(why, "'%.*s': expected a format as .6g behind :", (int)length, text);
   }
-  if (how->x < 0 || how->y < 0)
-    text_add(why, "'%s': expected two columns of %s", word, t->file);
-  text_free(&first);
-  return 1;
 }
 
-/* The words behind the table: conditions, of which it returns the number, or -1 and has said
- * why; how may be NULL. */
-static int read_words(const char *who, const struct csv *t, int argc, char *argv[], struct condition condition[],
-                      struct how *how)
+/* columns=, blocks=, smooth=: names with commas between. */
+static void read_list(struct pick *p, char kind, const char *list, struct text *why)
 {
-  struct text why = TEXT_NONE;
   int n = 0;
 
-  for (int i = 0; i < argc && why.length == 0; i++) {
-    if (how && read_how(t, argv[i], how, &why))
-      continue;
-    if (!is_condition(argv[i]))
-      text_add(&why, "'%s': expected COLUMN=VALUE%s", argv[i], how ? ", blocks=COLUMN or smooth=COLUMN,COLUMN" : "");
+  for (; *list && n < MOST_COLUMNS && why->length == 0; n++) {
+    const size_t length = strcspn(list, ",");
+
+    if (kind == 'c')
+      read_shown(p, list, length, why);
+    else if (kind == 'b')
+      p->block[p->blocks++] = named(&p->table, list, length, why);
     else
-      read_row_condition(t, argv[i], &condition[n++], &why);
+      *(n == 0 ? &p->x : &p->y) = named(&p->table, list, length, why);
+    list += length + (list[length] == ',');
   }
-  if (why.length > 0) {
-    say_line(who, why.at);
-    n = -1;
-  }
-  text_free(&why);
-  return n;
+  if (kind == 's' && n != 2)
+    text_add(why, "smooth=: expected two columns");
 }
 
-static void print_row(const struct csv *t, int row)
+static int read_word(struct pick *p, const char *word, struct text *why)
 {
-  for (int i = 0; i < t->columns; i++)
-    printf("%s%s", csv_cell(t, row, i), i + 1 < t->columns ? "," : "\n");
+  const char *value = strchr(word, '=') ? strchr(word, '=') + 1 : word;
+
+  if (strncmp(word, "columns=", 8) == 0 || strncmp(word, "blocks=", 7) == 0 || strncmp(word, "smooth=", 7) == 0)
+    read_list(p, *word, value, why);
+  else if (strncmp(word, "first=", 6) == 0)
+    p->first = named(&p->table, value, strlen(value), why);
+  else if (strncmp(word, "every=", 6) == 0) {
+    if (!whole_number(value, 1, 1000000, &p->every))
+      text_add(why, "'%s': expected a whole number from 1 to 1000000", word);
+  } else if (strcmp(word, "head") == 0)
+    p->head = 1;
+  else if (is_condition(word))
+    read_row_condition(&p->table, word, &p->where[p->conditions++], why);
+  else
+    text_add(why, "'%s': expected a condition as NAME=TEXT, columns=, blocks=, smooth=, first=, every=N or head", word);
+  return why->length > 0 ? -1 : 0;
+}
+
+/* A row, with other values of x and y where `at` is not NULL. */
+static void print_row(const struct pick *p, int row, const double at[2])
+{
+  const int n = p->columns ? p->columns : p->table.columns;
+
+  for (int k = 0; k < n; k++) {
+    const struct shown plain = { k, 1., "" }, *s = p->columns ? &p->shown[k] : &plain;
+    double x;
+
+    if (at && (s->column == p->x || s->column == p->y))
+      printf(*s->format ? s->format : "%.7g", s->factor * at[s->column == p->y]);
+    else if (*s->format && row >= 0 && csv_is_number(csv_cell(&p->table, row, s->column), &x))
+      printf(s->format, s->factor * x);
+    else
+      fputs(row < 0 ? csv_name(&p->table, s->column) : csv_cell(&p->table, row, s->column), stdout);
+    putchar(k + 1 < n ? ',' : '\n');
+  }
 }
 
 /* --- a smooth curve through the rows of a block ------------------------------------
@@ -86,9 +131,9 @@ enum { BETWEEN = 9 }; /* steps from row to row */
 
 struct place { double x, y; };
 
-static struct place place_of(const struct csv *t, int row, const struct how *how)
+static struct place place_of(const struct pick *p, int row)
 {
-  return (struct place){ log(csv_number(t, row, how->x)), log(csv_number(t, row, how->y)) };
+  return (struct place){ log(csv_number(&p->table, row, p->x)), log(csv_number(&p->table, row, p->y)) };
 }
 
 static struct place mixed(struct place a, struct place b, double from, double to, double at)
@@ -114,224 +159,108 @@ static struct place curve_at(const struct place p[4], double part)
 }
 
 /* From row block[k] to the next. */
-static void print_between(const struct csv *t, const int block[], int n, int k, const struct how *how)
+static void print_between(const struct pick *p, const int block[], int n, int k)
 {
-  struct place p[4];
+  struct place place[4];
 
   for (int i = 0; i < 4; i++)
-    p[i] = place_of(t, block[k + i - 1 < 0 ? 0 : k + i - 1 >= n ? n - 1 : k + i - 1], how);
+    place[i] = place_of(p, block[k + i - 1 < 0 ? 0 : k + i - 1 >= n ? n - 1 : k + i - 1]);
   for (int i = 1; i < BETWEEN; i++) {
-    const struct place at = curve_at(p, (double)i / BETWEEN);
+    const struct place here = curve_at(place, (double)i / BETWEEN);
+    const double at[2] = { exp(here.x), exp(here.y) };
 
-    if (!isfinite(at.x) || !isfinite(at.y))
-      continue;
-    for (int column = 0; column < t->columns; column++) {
-      if (column == how->x || column == how->y)
-        printf("%.7g", exp(column == how->x ? at.x : at.y));
-      else
-        fputs(csv_cell(t, block[k], column), stdout);
-      putchar(column + 1 < t->columns ? ',' : '\n');
-    }
+    if (isfinite(at[0]) && isfinite(at[1]))
+      print_row(p, block[k], at);
   }
 }
 
-static void print_block(const struct csv *t, const int block[], int n, const struct how *how)
+/* --- rows ------------------------------------------------------------------------------- */
+
+static void print_block(const struct pick *p, const int block[], int n)
 {
   for (int k = 0; k < n; k++) {
-    print_row(t, block[k]);
-    if (how->x >= 0 && k + 1 < n)
-      print_between(t, block, n, k, how);
+    print_row(p, block[k], NULL);
+    if (p->x >= 0 && k + 1 < n)
+      print_between(p, block, n, k);
   }
 }
 
-static void print_blocks(const struct csv *t, const struct condition condition[], int n, const struct how *how)
+static int differ(const struct pick *p, int row, int other, const int column[], int n)
 {
-  int *block = must_allocate((size_t)(t->rows + 1) * sizeof *block), rows = 0;
+  for (int k = 0; k < n; k++)
+    if (strcmp(csv_cell(&p->table, row, column[k]), csv_cell(&p->table, other, column[k])) != 0)
+      return 1;
+  return 0;
+}
 
-  for (int row = 0; (row = next_fitting(t, row, condition, n)) >= 0; row++) {
-    if (how->block >= 0 && rows > 0 && strcmp(csv_cell(t, row, how->block), csv_cell(t, block[0], how->block)) != 0) {
-      print_block(t, block, rows, how);
+static void print_rows(const struct pick *p)
+{
+  int *block = must_allocate((size_t)(p->table.rows + 1) * sizeof *block), rows = 0, before = -1;
+  long chosen = 0;
+
+  if (p->head)
+    print_row(p, -1, NULL);
+  for (int row = 0; (row = next_fitting(&p->table, row, p->where, p->conditions)) >= 0; row++) {
+    if (p->first >= 0 && before >= 0 && !differ(p, row, before, &p->first, 1))
+      continue;
+    if (before >= 0 && differ(p, row, before, p->block, p->blocks)) {
+      print_block(p, block, rows);
       putchar('\n');
       rows = 0;
     }
-    block[rows++] = row;
+    if (chosen++ % p->every == 0)
+      block[rows++] = row;
+    before = row;
   }
-  print_block(t, block, rows, how);
+  print_block(p, block, rows);
   free(block);
 }
 
-static int pick(int argc, char *argv[])
+static int run(int argc, char *argv[])
 {
-  struct condition *condition = must_allocate((size_t)argc * sizeof *condition);
-  struct how how = { -1, -1, -1 };
-  struct csv t;
-  int n = -1;
+  struct pick p = { .first = -1, .x = -1, .y = -1, .every = 1 };
+  struct text file = TEXT_NONE, why = TEXT_NONE;
+  int status = MLG_OK;
 
   if (argc < 2) {
-    fputs("usage: mlg pick TABLE [CONDITION ...] [blocks=COLUMN] [smooth=COLUMN,COLUMN]\n", stderr);
-    free(condition);
+    fputs("usage: mlg pick TABLE [CONDITION ...] [columns=NAME,...] [blocks=NAME,...]; `mlg help pick` says more\n", stderr);
     return MLG_BAD_INPUT;
   }
-  if (read_or_say("pick", argv[1], &t) == MLG_OK)
-    n = read_words("pick", &t, argc - 2, argv + 2, condition, &how);
-  if (n >= 0)
-    print_blocks(&t, condition, n, &how);
-  csv_free(&t);
-  free(condition);
-  return n < 0 ? MLG_BAD_INPUT : MLG_OK;
+  p.where = must_allocate((size_t)argc * sizeof *p.where);
+  add_table_file(&file, argv[1]);
+  if (csv_read(file.at, &p.table, &why) == 0)
+    for (int i = 2; i < argc && read_word(&p, argv[i], &why) == 0; i++)
+      ;
+  if (why.length > 0)
+    status = MLG_BAD_INPUT;
+  else {
+    print_rows(&p);
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+      text_add(&why, "cannot write the output");
+      status = MLG_FAILED;
+    }
+  }
+  if (status != MLG_OK)
+    say_line("pick", why.at);
+  csv_free(&p.table);
+  free(p.where);
+  text_free(&file);
+  text_free(&why);
+  return status;
 }
 
 const struct command command_pick = {
-  "pick", "TABLE [CONDITION ...] [blocks=COLUMN] [smooth=COLUMN,COLUMN]",
-  "rows of a table of results/, for a picture",
-  "TABLE and CONDITION as for mlg cell; all must fit.  Prints the rows without the table's head;\n"
-  "blocks=COLUMN puts an empty line where its cell changes, at which gnuplot lifts the pen;\n"
-  "smooth=X,Y puts rows of a smooth curve in these two columns between:\n"
-  "  gnuplot -p -e \"set datafile separator ','; plot '< build/bin/mlg pick fig09 k_s=1e6 blocks=curve' using 7:8 with lines\"\n",
-  pick,
-};
-
-/* --- areas ----------------------------------------------------------------------------
- * From one k_s to the next an interval goes on in the one of the same rank; where their
- * number changes, which a table resolves finely, in the widest that it overlaps. */
-
-enum { MOST_AT_ONE = 32 };
-
-struct slice { int row[MOST_AT_ONE], area[MOST_AT_ONE], n; };
-
-struct area { struct text rows, lower, upper; };
-
-struct areas {
-  const struct csv *table;
-  int k_s, c_lo, c_hi, width; /* its columns */
-  struct area *area;
-  int n;
-};
-
-/* A bound jumps where a region of shimmy is born within the interval. */
-static void add_to_bound(const struct areas *a, struct text *bound, int column, int row, int before)
-{
-  const struct csv *t = a->table;
-  const double c = csv_number(t, row, column);
-
-  if (before >= 0 && fabs(csv_number(t, before, column) - c) > 0.05 * c)
-    text_add(bound, "\n");
-  text_add(bound, "%s,%s\n", csv_cell(t, row, a->k_s), csv_cell(t, row, column));
-}
-
-/* before: the row that it goes on from where the number of intervals changes, or -1 */
-static void add_to_area(struct areas *a, int area, int row, int before)
-{
-  const struct csv *t = a->table;
-
-  if (area == a->n) {
-    a->area = must_resize(a->area, (size_t)(a->n + 1) * sizeof *a->area);
-    a->area[a->n++] = (struct area){ TEXT_NONE, TEXT_NONE, TEXT_NONE };
-  }
-  add_to_bound(a, &a->area[area].lower, a->c_lo, row, before);
-  add_to_bound(a, &a->area[area].upper, a->c_hi, row, before);
-  text_add(&a->area[area].rows, "%s,%s,%s,%s\n", csv_cell(t, row, a->k_s), csv_cell(t, row, a->c_lo),
-           csv_cell(t, row, a->c_hi), csv_cell(t, row, a->width));
-}
-
-static int best_of(const struct areas *a, const struct slice *before, const int taken[], int row)
-{
-  const struct csv *t = a->table;
-  const double lo = csv_number(t, row, a->c_lo), hi = csv_number(t, row, a->c_hi);
-  double widest = 0.;
-  int best = -1;
-
-  for (int j = 0; j < before->n; j++) {
-    const double lo_j = csv_number(t, before->row[j], a->c_lo), hi_j = csv_number(t, before->row[j], a->c_hi);
-
-    if (!taken[j] && lo_j < hi && hi_j > lo && hi_j - lo_j > widest) {
-      widest = hi_j - lo_j;
-      best = j;
-    }
-  }
-  return best;
-}
-
-static void go_on(struct areas *a, const struct slice *before, struct slice *now)
-{
-  int taken[MOST_AT_ONE] = { 0 };
-
-  for (int i = 0; i < now->n; i++) {
-    const int from = now->n == before->n ? i : best_of(a, before, taken, now->row[i]);
-
-    if (from >= 0)
-      taken[from] = 1;
-    now->area[i] = from >= 0 ? before->area[from] : a->n;
-    add_to_area(a, now->area[i], now->row[i], from >= 0 && now->n != before->n ? before->row[from] : -1);
-  }
-}
-
-static void join(struct areas *a, const struct condition condition[], int n)
-{
-  struct slice before = { .n = 0 }, now = { .n = 0 };
-  double x;
-
-  for (int row = 0; (row = next_fitting(a->table, row, condition, n)) >= 0; row++) {
-    if (!csv_is_number(csv_cell(a->table, row, a->k_s), &x) || x > 1e29)
-      continue;
-    if (now.n > 0 && strcmp(csv_cell(a->table, row, a->k_s), csv_cell(a->table, now.row[0], a->k_s)) != 0) {
-      go_on(a, &before, &now);
-      before = now;
-      now.n = 0;
-    }
-    if (now.n < MOST_AT_ONE)
-      now.row[now.n++] = row;
-  }
-  go_on(a, &before, &now);
-}
-
-static int areas(int argc, char *argv[])
-{
-  struct condition *condition = must_allocate((size_t)argc * sizeof *condition);
-  struct areas a = { .area = NULL };
-  struct csv t;
-  const int bounds = argc > 2 && strcmp(argv[argc - 1], "bounds") == 0;
-  int n = -1;
-
-  if (argc < 2) {
-    fputs("usage: mlg areas TABLE [CONDITION ...] [bounds]\n", stderr);
-    free(condition);
-    return MLG_BAD_INPUT;
-  }
-  if (read_or_say("areas", argv[1], &t) == MLG_OK)
-    n = read_words("areas", &t, argc - 2 - bounds, argv + 2, condition, NULL);
-  if (n >= 0) {
-    a.table = &t;
-    a.k_s = csv_column(&t, "k_s");
-    a.c_lo = csv_column(&t, "c_lo");
-    a.c_hi = csv_column(&t, "c_hi");
-    a.width = csv_column(&t, "width");
-    if (a.k_s < 0 || a.c_lo < 0 || a.c_hi < 0 || a.width < 0) {
-      fprintf(stderr, "areas: %s: expected columns k_s, c_lo, c_hi and width\n", t.file);
-      n = -1;
-    } else
-      join(&a, condition, n);
-  }
-  for (int i = 0; i < a.n; i++) {
-    if (bounds)
-      printf("%s\n%s\n", a.area[i].lower.at, a.area[i].upper.at);
-    else
-      printf("%s\n", a.area[i].rows.at);
-    text_free(&a.area[i].rows);
-    text_free(&a.area[i].lower);
-    text_free(&a.area[i].upper);
-  }
-  free(a.area);
-  csv_free(&t);
-  free(condition);
-  return n < 0 ? MLG_BAD_INPUT : MLG_OK;
-}
-
-const struct command command_areas = {
-  "areas", "TABLE [CONDITION ...] [bounds]",
-  "zero-shimmy intervals over k_s as closed areas",
-  "TABLE with the columns k_s, c_lo, c_hi, width, its rows by k_s; CONDITION as for mlg cell, say\n"
-  "layout=li1 b=70.  Prints k_s,c_lo,c_hi,width, an empty line behind each area; bounds: k_s,c_d of\n"
-  "their lower and upper bounds as lines, an empty line behind each and where one jumps.\n",
-  areas,
+  "pick", "TABLE [CONDITION ...] [columns=NAME[*FACTOR][:FORMAT],...] [blocks=NAME,...]\n"
+  "     [smooth=NAME,NAME] [first=NAME] [every=N] [head]",
+  "rows and columns of a table in CSV, by the names of its columns",
+  "TABLE: results/TABLE.csv, or a file with a slash in its name.  CONDITION: as for mlg cell, also\n"
+  "with where= before it: NAME=TEXT or NAME!=TEXT (a number by its value, other text as the shell's\n"
+  "* ? [] say, A|B one of them), NAME<X, <=, >, >=; all have to hold.  columns: these, in this\n"
+  "order, times FACTOR and as FORMAT (.6g) if there is one.  first: only where the value of this\n"
+  "column is another than in the row before.  blocks: an empty line where that of one of these\n"
+  "changes, at which gnuplot lifts the pen.  smooth: rows of a smooth curve in these two columns\n"
+  "between.  every: each Nth, from the first on.  head: the names first.  In gnuplot:\n"
+  "  plot '< build/bin/mlg pick fig09 k_s=1e6 blocks=curve' using 7:8 with lines\n"
+  "Status 2: no such column, or a row with another number of cells.\n",
+  run,
 };

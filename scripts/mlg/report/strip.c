@@ -219,9 +219,10 @@ static int run(int argc, char *argv[])
 const struct command command_strip = {
   "strip", "TABLE [solution=A] [view=top|rear] [part=wheels|strut|contact] [NAME=NUMBER ...]",
   "the gear at instants of a period as polylines, for a picture",
-  "TABLE: filmstrip, or another with its columns.  every=12 apart=1: one gear every 12 instants, a metre\n"
-  "to the right of the last; or only=K: instant K.  turns=, bends=, shifts= multiply psi, delta* and\n"
-  "lambda.  Prints \"x y\" in metres, an empty line behind a polyline.  contact: the middle lines of the\n"
-  "tyres before their leading contact points (top), where they stand on the ground (rear).\n",
+  "TABLE: filmstrip, or another with its columns.  every=12 apart=1: one gear every 12 instants, a\n"
+  "metre to the right of the last; or only=K: instant K.  turns=, bends=, shifts= multiply psi,\n"
+  "delta* and lambda.  Prints \"x y\" in metres, an empty line behind a polyline.  contact: the middle\n"
+  "lines of the tyres before their leading contact points (top), where they stand on the ground\n"
+  "(rear).\n",
   run,
 };
