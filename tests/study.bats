@@ -100,7 +100,7 @@ study() { scripts/study.sh "$@" > study.log 2>&1 || { cat study.log; return 1; }
   says heavy "Divergence\*\* with L1 LI2"
   study fast J_xi=22.2222222222 J_eta=27.7777777778 J_zeta=11.1111111111 m_D=55.5555555556 c_psi=100 c_delta=100 \
     g=88.29 M=2209.706875 k_s=7.87e5 layouts=l2 exact
-  says fast "2 separate intervals.*from 1271 to 2921 .*from 3203 to 4682"
+  says fast "2 separate intervals.*from 1271 to 2920 .*from 3203 to 4682"
 }
 
 @test "bad input: one line, status 2, and no study" {

@@ -3,7 +3,7 @@
 # shellcheck disable=SC2154,SC2034 # variables of study.sh
 
 compare() { # NAME NAME
-  local name folder=build/studies first=$1 second=$2 layouts layout picture
+  local name folder=build/studies first=${1:-} second=${2:-} layouts layout picture
   [ $# = 2 ] || fail "usage: scripts/study.sh compare NAME NAME" 2
   for name; do
     check_name "$name"

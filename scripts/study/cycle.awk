@@ -22,8 +22,12 @@ $1 == "orbit" {
   if ($3 + 0 > psi) psi = $3 + 0
   if ($4 + 0 > dstar) dstar = $4 + 0
   if ($1 == "TR") torus = torus (torus == "" ? "" : " ") $2
-  if ($1 == "LP") folds = folds (folds == "" ? "" : " ") $2
+  if ($1 == "LP") { fold[++lps] = $2; fold_psi[lps] = $3; fold_dstar[lps] = $4 }
   if ($5 == 1) stable++
   if ($5 == 0 && $5 != "") unstable++
 }
-END { if (n) print row, from, to, psi, dstar, torus, folds, stable + 0, unstable + 0, sprintf("%.3g", slip), sprintf("%.3g", roll) }
+END {
+  # the end of a branch, where AUTO turns round on a Hopf point, is no fold
+  for (i = 1; i <= lps; i++) if (fold_psi[i] > 0.05 * psi || fold_dstar[i] > 0.05 * dstar) folds = folds (folds == "" ? "" : " ") fold[i]
+  if (n) print row, from, to, psi, dstar, torus, folds, stable + 0, unstable + 0, sprintf("%.3g", slip), sprintf("%.3g", roll)
+}

@@ -76,6 +76,18 @@ of_design() { # LAYOUT DESIGN COLUMN
   mlg cell "$folder/parts/$1.csv" "$3" layout="$1" design="$2" largest=width 2> /dev/null || true
 }
 
+# Of k_s times each FACTOR the one with the widest interval.
+widest_of() { # LAYOUT K_S B FACTOR...
+  local layout=$1 k_s=$2 b=$3 factor
+  for factor in "${@:4}"; do
+    mlg intervals "$layout" "${gear[@]}" V_top="$top" k_s="$(times "$k_s" "$factor")" b="$b" |
+      awk -F, -v k_s="$(times "$k_s" "$factor")" 'NR > 2 { x = $5 == "inf" ? 1e300 : $5; if (x > w) w = x } END { printf "%.10g %s\n", w, k_s }'
+  done | sort -k 1,1gr -s | sed -n '1s/.* //p'
+}
+
+# As printed k_s may stand on the wrong side of where a region is born.
+inside() { if [ "$2" = inf ]; then echo inf; else widest_of "$@" 1 0.9999999 1.0000001; fi; } # LAYOUT K_S B
+
 # The designs of one layout, best last; see docs/study.md.
 designs() { # LAYOUT
   local layout=$1 k_s=inf b=0 limit row
@@ -86,14 +98,14 @@ designs() { # LAYOUT
   ! has "$layout" k_s || {
     made "widest.$layout.csv" widest "$layout" "${gear[@]}" V_top="$top" || return
     IFS=, read -r k_s _ _ _ _ _ limit < <(sed 1,2d "$folder/widest.$layout.csv")
-    case $limit in no*) ;; *) design "$layout" 'widest at b = 0' "$k_s" 0 "$limit" ;; esac
+    case $limit in no*) ;; *) design "$layout" 'widest at b = 0' "$(inside "$layout" "$k_s" 0)" 0 "$limit" ;; esac
   }
   ! has "$layout" b || {
     made "limits.$layout.csv" limits "$layout" "${gear[@]}" V_top="$top" b_most="$b_most" b_step="$(awk "BEGIN { print $b_most / 15 }")" \
       tolerance="$(awk "BEGIN { print $b_most / 1000 }")" || return
     row=$(grep -v -e '^#' -e '^layout' -e ',no interval' "$folder/limits.$layout.csv" | sort -t , -k 6,6g | tail -n 1)
     IFS=, read -r _ b k_s _ _ _ _ _ limit <<< "$row"
-    [ -z "$row" ] || design "$layout" widest "$k_s" "$b" "$limit"
+    [ -z "$row" ] || design "$layout" widest "$(inside "$layout" "$k_s" "$b")" "$b" "$limit"
   }
 }
 
@@ -110,7 +122,7 @@ best_damped() { # LAYOUT
 # widest, on the side where more of it is left, for at the widest itself a region is born or two
 # bounds meet.  Into base.LAYOUT: k_s b and the words for mlg.
 base_of() { # LAYOUT
-  local layout=$1 k_s=inf b=0 side best=-1 width beside=inf name=''
+  local layout=$1 k_s=inf b=0 name=''
   if has "$layout" k_s; then
     for name in widest 'widest at b = 0'; do
       k_s=$(of_design "$layout" "$name" k_s) b=$(of_design "$layout" "$name" b)
@@ -122,18 +134,13 @@ base_of() { # LAYOUT
       [ -z "$own_b" ] || ! has "$layout" b || b=$own_b
       name=$([ -n "$own_k_s$own_b$own_c_d" ] && echo "your own device" || echo "rigid, for no k_s has an interval")
     elif [ "$k_s" != inf ]; then
-      for side in 0.98 1.02; do
-        width=$(mlg intervals "$layout" "${gear[@]}" V_top="$top" k_s="$(times "$k_s" $side)" b="$b" | awk -F, 'NR > 2 && $5 > w { w = $5 } END { printf "%.10g", w }')
-        width=${width/inf/1e300}
-        if awk "BEGIN { exit !($width > $best) }"; then best=$width beside=$(times "$k_s" $side); fi
-      done
-      k_s=$beside
+      k_s=$(widest_of "$layout" "$k_s" "$b" 0.98 1.02)
     fi
   fi
   printf '%s\n' "$k_s" "$b" "$name" > "$folder/base.$layout"
 }
 
-times() { awk "BEGIN { printf \"%.8g\", $1 * $2 }"; }
+times() { awk "BEGIN { printf \"%.10g\", $1 * $2 }"; }
 
 # Words of the base design for mlg, into `base`; its interval, the widest, into lo and hi.
 get_base() { # LAYOUT

@@ -86,7 +86,7 @@ build_section() {
   yours=$(grep ',yours,' "$folder/designs.csv" | sort -u -t , -k 1,1 || true)
   if [ -n "$yours" ]; then
     while IFS=, read -r layout _ k_s b _ _ _ _ _ _ _ _ _ _ c_d zeta V _ mode _; do
-      echo "**Your c_d = $(number "$c_d")**, $(name_of "$layout"): $(awk -v z="$zeta" 'BEGIN { print z > 0 ? "no shimmy" : "shimmy" }'); the least damping ratio is $(number "${zeta:-nan}" %.3g), of the $mode mode at $(number "$V") m/s."
+      echo "**Your c_d = $(number "$c_d")**, $(name_of "$layout"): $(awk -v z="$zeta" 'BEGIN { print (z > 0 ? "no shimmy" : "shimmy") }'); the least damping ratio is $(number "${zeta:-nan}" %.3g), of the $mode mode at $(number "$V") m/s."
       echo
     done <<< "$yours"
   fi

@@ -6,7 +6,7 @@
 # Each parameter of the paper's gear times 2^(-0.7..0.7); e of either sign; every fifth gear
 # has phi = 0.  Every interval of designs.csv: by build/bin/eigen-LAYOUT (differences of the
 # nonlinear model, LAPACK) no Hopf point in its middle, and some 2 % outside of each bound;
-# without an interval, Hopf points at the telling c_d, or the gear diverges.
+# at each telling c_d as many Hopf points as the study says.
 #
 # Needs   the models, build/bin/eigen-*
 # Writes  build/studies/random-SEED-*, and removes those that are right
@@ -39,6 +39,7 @@ judge() { # WHAT LAYOUT K_S B C_D none|some
   asked=$((asked + 1))
   found=$(hopf_points "${@:2:4}")
   case $6,$found in none,0 | some,[1-9]*) return ;; esac
+  [ "$6" != "$found" ] || return 0
   echo "  $name: $1 of $2 at k_s = $3, b = $4, c_d = $5: $found Hopf points by the eigenvalues, expected $6"
   wrong=$((wrong + 1))
 }
@@ -46,7 +47,7 @@ judge() { # WHAT LAYOUT K_S B C_D none|some
 times() { awk "BEGIN { printf \"%.12g\", $1 * $2 }"; }
 
 check() { # what designs.csv of the study says
-  local layout design k_s b lo hi lower upper middle
+  local layout design k_s b lo hi lower upper middle which c_d points
   while IFS=, read -r layout design k_s b lo hi _ _ _ lower upper _; do
     case $design in design | yours) continue ;; esac
     if [ -n "$lo" ]; then
@@ -56,6 +57,12 @@ check() { # what designs.csv of the study says
       case $upper in none | V_least) ;; *) judge "above c_hi" "$layout" "$k_s" "$b" "$(times "$hi" 1.02)" some ;; esac
     fi
   done < "build/studies/$name/designs.csv"
+  for layout in l1 li2; do # the diagrams: as many Hopf points as the study says
+    { read -r k_s; read -r b; } < "build/studies/$name/base.$layout"
+    while IFS=, read -r which c_d points; do
+      [ "$which" = which ] || judge "$which" "$layout" "$k_s" "$b" "$c_d" "$points"
+    done < "build/studies/$name/telling.$layout.csv"
+  done
 }
 
 folder=build/tests/random-studies top=120

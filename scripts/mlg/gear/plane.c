@@ -197,7 +197,7 @@ static int run(int argc, char *argv[])
 
 const struct command command_plane = {
   .name = "plane",
-  .usage = "LAYOUT [regions] [NAME=VALUE ...] [V_least=V_top/2000] [c_least=VALUE] [c_most=VALUE]",
+  .usage = "LAYOUT [regions] [NAME=VALUE ...] [V_least=V_top/2000] [c_least=] [c_most=]",
   .summary = "the (V, c_d) plane exactly: its Hopf curves as points, or what grows where",
   .details =
     "Without c_least and c_most a decade about all boundary points and about\n"
