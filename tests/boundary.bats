@@ -1,12 +1,12 @@
-# boundary.bats - are the boundary points and the widest intervals right?
+# boundary.bats - are the boundary points and the intervals of the algebra right, and AUTO's?
 #
-# AUTO's boundary points at random parameters, and the tables boundary_points.csv
-# and widths.csv as they stand in results, against eigenvalues of the full
-# linearised equations from LAPACK (eigen-LAYOUT, tests/eigen.h); the limits
-# k_s rigid and b = 0 on Hopf points; each change of mechanism along the widest
-# interval; and no wider interval than the one the runs in b follow.
+# `mlg boundary`, hopf, intervals, regions, widest, limits and curves against eigenvalues of
+# the full linearised equations from LAPACK (eigen-LAYOUT, tests/eigen.h), which share
+# nothing with the algebra; AUTO's boundary points at random parameters; the tables
+# boundary_points.csv and widths.csv as they stand in results; gears for which an earlier
+# sweep over frequencies gave a wrong answer; the limits k_s rigid and b = 0.
 #
-# Needs   the models, build/bin/eigen-* and scan-* (make test-programs)
+# Needs   the models, build/bin/mlg and eigen-* (make test-programs)
 # Writes  build/tests/boundary
 
 bats_require_minimum_version 1.5.0
@@ -21,6 +21,24 @@ setup() {
   cd "$SCRATCH" || return
 }
 
+# folds LAYOUT PARAMETER... < lines "c_d V k_s b": "c_d V" of the extrema there, by eigenvalues
+folds() {
+  local layout=$1
+  shift
+  awk '{ printf "%s,%s,%s,%s\n", $2, $1, ($3 == "inf" ? 1e30 : $3), $4 }' | "build/bin/eigen-$layout" folds "$@" | awk -F, 'NR > 1 { print $2, $1 }'
+}
+
+# are_folds LAYOUT TOLERANCE PARAMETER... < lines "c_d V k_s b"
+are_folds() {
+  local layout=$1 tolerance=$2
+  shift 2
+  cat >points
+  folds "$layout" "$@" <points >oracle
+  paste -d ' ' <(cut -d ' ' -f 1 points) <(cut -d ' ' -f 1 oracle) | near_each "$tolerance" "c_d of $layout $*"
+  # along the curve c_d is flat there
+  paste -d ' ' <(cut -d ' ' -f 2 points) <(cut -d ' ' -f 2 oracle) | near_each 1e-5 "V of $layout $*"
+}
+
 # fold LAYOUT V C_D PARAMETER...: "c_d V" of the extremum there, by eigenvalues
 fold() {
   local layout=$1 V=$2 c_d=$3
@@ -29,60 +47,325 @@ fold() {
     | awk '$1 == "V" { V = $3 } $1 == "c_d" { c = $3 } END { print c, V }'
 }
 
+# crossings LAYOUT free=NAME from= to= PARAMETER...: the Hopf points along it, by eigenvalues
+crossings() {
+  local layout=$1
+  shift
+  "build/bin/eigen-$layout" boundary "$@" | awk 'NR > 1 && !/no Hopf point/ { print $1 }'
+}
+
 # How many Hopf points the eigenvalues have over V in 0.1..200, in steps of 0.5
 unstable_speeds() { # LAYOUT PARAMETER...
   local layout=$1
   shift
-  "build/bin/eigen-$layout" boundary free=V from=0.1 to=200 step=0.5 "$@" | awk 'NR > 1' | wc -l
+  crossings "$layout" free=V from=0.1 to=200 step=0.5 "$@" | wc -l
+}
+
+# of FILE NAME LAYOUT B: that column of the row of a table
+of() {
+  awk -F, -v name="$2" -v layout="$3" -v b="$4" '
+    /^#/ { next }
+    $1 == "layout" { for (k = 1; k <= NF; k++) if ($k == name) place = k; next }
+    $1 == layout && $2 == b { print $place }' "$1"
 }
 
 column() { # NAME of widths.csv, for the row LAYOUT B
-  awk -F, -v name="$1" -v layout="$2" -v b="$3" '
-    /^#/ { next }
-    $1 == "layout" { for (k = 1; k <= NF; k++) if ($k == name) place = k; next }
-    $1 == layout && $2 == b { print $place }' results/widths.csv
+  of results/widths.csv "$1" "$2" "$3"
 }
 
-@test "boundary points that AUTO follows to 30 random (layout, k_s, b) are extrema by the eigenvalues" {
-  local layout compliance b point n=0 cases=0 compared=0 U
-  while read -r layout compliance b; do
-    cases=$((cases + 1))
+# cases N [SEED]: lines LAYOUT K_S B; of every layout in turn
+cases() {
+  awk -v n="$1" -v seed="${2:-408}" 'BEGIN {
+    srand(seed)
+    split("l1 l2 li1 li2 li3 li4 li5", layout, " ")
+    for (i = 0; i < n; i++) {
+      name = layout[i % 7 + 1]
+      k_s = 1e5 / (0.02 + 0.25 * rand())
+      printf "%s %s %.6g\n", name, (name == "l1" ? "1e30" : sprintf("%.8g", k_s)), (name ~ /^l[12]$/ ? 0 : 200 * rand()) }
+  }'
+}
+
+# words K_S B LAYOUT: what the layout has of these
+words() {
+  case $3 in l1) ;; l2) echo "k_s=$1" ;; *) echo "k_s=$1 b=$2" ;; esac
+}
+
+## The algebra against eigenvalues
+
+@test "boundary points at 70 random (layout, k_s, b) are extrema by the eigenvalues" {
+  local layout k_s b n=0
+  rm -f all.*
+  while read -r layout k_s b; do
+    # shellcheck disable=SC2046 # words
+    mlg boundary "$layout" $(words "$k_s" "$b" "$layout") |
+      awk -F, -v k_s="$k_s" -v b="$b" '$4 == "max" || $4 == "min" { print $1, $2, k_s, b }' >>"all.$layout"
+  done < <(cases 70)
+  for layout in l1 l2 li1 li2 li3 li4 li5; do
+    are_folds "$layout" 1e-9 <"all.$layout"
+    n=$((n + $(wc -l <"all.$layout")))
+  done
+  echo "$n points"
+  [ "$n" -ge 200 ]
+}
+
+@test "all Hopf points at one c_d or one V are those of the eigenvalues" {
+  local layout k_s b c_d V words n=0 m=0
+  while read -r layout k_s b; do
+    read -ra words <<<"$(words "$k_s" "$b" "$layout")"
+    c_d=$((3000 + 2500 * n)) V=$((8 + 7 * n))
+    n=$((n + 1))
+    mlg hopf "$layout" "${words[@]}" c_d=$c_d V_least=0.1 | awk -F, 'NR > 2 { print $2 }' >ours
+    crossings "$layout" free=V from=0.1 to=200 "${words[@]}" c_d=$c_d >oracle
+    [ "$(wc -l <ours)" -eq "$(wc -l <oracle)" ]
+    [ ! -s ours ] || paste -d ' ' ours oracle | near_each 1e-9 "V at c_d = $c_d of $layout ${words[*]}"
+    m=$((m + $(wc -l <ours)))
+    mlg hopf "$layout" "${words[@]}" V=$V | awk -F, 'NR > 2 && $1 > 100 && $1 < 1e5 { print $1 }' >ours
+    crossings "$layout" free=c_d from=100 to=1e5 step=300 "${words[@]}" V=$V >oracle
+    [ "$(wc -l <ours)" -eq "$(wc -l <oracle)" ]
+    [ ! -s ours ] || paste -d ' ' ours oracle | near_each 1e-9 "c_d at V = $V of $layout ${words[*]}"
+    m=$((m + $(wc -l <ours)))
+  done < <(cases 14 7)
+  echo "$m points"
+  [ "$m" -ge 40 ]
+}
+
+@test "known boundaries: the paper's, by LAPACK's eigenvalues" {
+  mlg boundary l1 | awk -F, 'NR > 2 { print $1, $2, 1e30, 0 }' >known
+  [ "$(wc -l <known)" -eq 3 ]
+  are_folds l1 1e-9 <known
+  paste -d ' ' <(cut -d ' ' -f 1 known) <(printf '%s\n' 2754.351901 3018.978790 31588.01867) | near_each 1e-9 "c_d of Figure 7"
+  near "$(cell c_lo intervals l1)" 2754.351901 1e-9 c_lo
+  near "$(cell c_hi intervals l1)" 3018.978790 1e-9 c_hi
+  near "$(cell c_lo intervals li1 k_s=6.38e5 b=140)" "$(fold li1 5 2319 k_s=6.38e5 b=140 | cut -d ' ' -f 1)" 1e-9 "c_lo of Figure 13"
+  near "$(cell c_hi intervals li1 k_s=6.38e5 b=140)" "$(fold li1 20 13562 k_s=6.38e5 b=140 | cut -d ' ' -f 1)" 1e-9 "c_hi of Figure 13"
+}
+
+@test "the least and the top speed: the curve leaves the range there" {
+  local end V word
+  mlg boundary l1 V_least=20 V_top=60 >range
+  for end in V_least:20 V_top:60; do
+    V=${end#*:}
+    awk -F, -v end="${end%:*}" '$4 == end { print $1 }' range >ours
+    crossings l1 free=c_d from=100 to=2.5e5 step=200 V="$V" >oracle
+    paste -d ' ' ours oracle | near_each 1e-9 "c_d at ${end%:*}"
+  done
+  awk -F, '$4 ~ /^m/ { print $1, $2, 1e30, 0 }' range >inside
+  [ "$(wc -l <inside)" -eq 2 ] # that at 10.79 m/s is below
+  are_folds l1 1e-9 <inside
+  # an interval ends where the range does
+  mlg intervals l1 V_top=60 | sed 1d >one
+  near "$(cell c_hi intervals l1 V_top=30)" "$(crossings l1 free=c_d from=2900 to=6000 step=10 V=30 | head -n 1)" 1e-9 "c_hi at V_top = 30"
+  [ "$(cell upper intervals l1 V_top=30)" = V_top ]
+  near "$(cell V_hi intervals l1 V_top=30)" 30 1e-12 V_hi
+  near "$(cell c_lo intervals l1 V_least=30)" "$(crossings l1 free=c_d from=500 to=2900 step=10 V=30 | head -n 1)" 1e-9 "c_lo at V_least = 30"
+  [ "$(cell lower intervals l1 V_least=30)" = V_least ]
+  for word in 'boundary l1' 'hopf l1 c_d=3e4' 'intervals l1' 'widest l2'; do
+    # shellcheck disable=SC2086 # words
+    run -2 mlg $word V_least=300
+    [ "$output" = "mlg ${word%% *}: V_least = 300 m/s is not below V_top = 200 m/s" ]
+  done
+}
+
+@test "boundaries of a damping ratio: there an eigenvalue has it, and none is below it inside the interval" {
+  local layout words zeta c_d V f c_lo c_hi at n=0
+  while read -r layout zeta words; do
+    # shellcheck disable=SC2086 # words
     while IFS=, read -r c_d V f _; do
       n=$((n + 1))
-      U=$(awk -v V="$V" -v c="$c_d" -v f="$f" 'BEGIN {
-        printf "{\047omega_1\047: %.12g, \047speed_1\047: %.12g, \047logc_1\047: %.12g}", f * 2 * atan2(0, -1) / 10, V / 10, log(c) / log(10) }')
-      auto_run "random.$n" boundary.point model="$layout.boundary" U="$U" b="$b" \
+      "build/bin/eigen-$layout" eigenvalues $words c_d="$c_d" V="$V" |
+        awk -v f="$f" 'NR > 1 && ($3 - f) ^ 2 < 1e-8 * f ^ 2 { print -$1 / sqrt($1 ^ 2 + $2 ^ 2) }' >ratio
+      near "$(cat ratio)" "$zeta" 1e-6 "damping ratio of $layout at c_d = $c_d, V = $V"
+    done < <({ mlg boundary "$layout" $words zeta="$zeta"; mlg hopf "$layout" $words c_d=2e4 zeta="$zeta" | sed 's/^/,/; s/^,//'; } | grep '^[0-9]')
+    # shellcheck disable=SC2086
+    while IFS=, read -r c_lo c_hi _; do
+      for at in "$(awk "BEGIN { print $c_lo * 1.001 }")" "$(awk "BEGIN { print sqrt($c_lo * $c_hi) }")" "$(awk "BEGIN { print $c_hi * 0.999 }")"; do
+        for V in 1 5 10 20 40 80 160 199; do
+          "build/bin/eigen-$layout" eigenvalues $words c_d="$at" V=$V |
+            awk -v zeta="$zeta" 'NR > 1 && $2 != 0 && -$1 < zeta * sqrt($1 ^ 2 + $2 ^ 2) { print "below at", at, V; exit 1 }'
+        done
+      done
+    done < <(mlg intervals "$layout" $words zeta="$zeta" | grep '^[0-9]')
+  done <<'END'
+l1 0.002
+l2 -0.01 k_s=7e5
+li1 0.0001 k_s=6.38e5 b=140
+li2 0.01 k_s=1e6 b=100
+li4 -0.002 k_s=2.4e6 b=140
+END
+  echo "$n points"
+  [ "$n" -ge 20 ]
+}
+
+@test "curves start on a Hopf curve and have the extrema of the boundary points" {
+  local layout k_s b words n=0
+  while read -r layout k_s b; do
+    read -ra words <<<"$(words "$k_s" "$b" "$layout")"
+    mlg curves "$layout" "${words[@]}" | sed 1d >started
+    mlg boundary "$layout" "${words[@]}" V_least=0.1 | awk -F, '$4 ~ /^m/ && $1 > 10 && $1 < 8e4 { print $1 }' | sort -g >exact
+    cut -d , -f 13 started | tr ' ' '\n' | sed -n 's/.*://p' | sort -g >extrema
+    [ "$(wc -l <exact)" -eq "$(wc -l <extrema)" ]
+    [ ! -s extrema ] || paste -d ' ' extrema exact | near_each 1e-9 "extrema of $layout ${words[*]}"
+    while IFS=, read -r _ _ _ c_d V from to _; do
+      n=$((n + 1))
+      near "$(crossings "$layout" free=V from="$from" to="$to" step=5e-4 "${words[@]}" c_d="$c_d" | head -n 1)" "$V" 1e-7 "start of a curve of $layout"
+    done <started
+  done < <(cases 14 5)
+  [ "$n" -ge 30 ]
+}
+
+@test "regions: every bound is a boundary by the eigenvalues, and there is no shimmy between" {
+  local layout b k_s c_lo c_hi n
+  for case in l2 li1:140 li5:100; do
+    IFS=: read -r layout b <<<"$case"
+    # shellcheck disable=SC2086
+    mlg regions "$layout" ${b:+b=$b} | grep "^$layout," >rows
+    # of eight digits; where a region is born or an interval appears the last digit of k_s
+    # moves the bound by its root
+    awk -F, '$6 > 0 && $6 < 199.99 && $7 > 0 && $7 < 199.99 { print $4, $6, $3, $2; print $5, $7, $3, $2 }' rows >bounds
+    folds "$layout" <bounds >oracle
+    paste -d ' ' bounds oracle | awk -v layout="$layout" '
+      NF == 6 && ($1 - $5) ^ 2 > (1e-4 * $5) ^ 2 { print layout, $0; wrong = 1 }
+      ($1 - $5) ^ 2 > (1e-7 * $5) ^ 2 { born++ }
+      END { if (NR < 100 || born > 16) { print NR " bounds, of which " born " are off"; wrong = 1 } exit wrong }'
+    n=0
+    while IFS=, read -r _ b k_s c_lo c_hi _; do
+      n=$((n + 1))
+      [ $((n % 30)) -eq 20 ] || continue
+      [ "$k_s" != inf ] || k_s=1e30
+      [ "$(unstable_speeds "$layout" k_s="$k_s" b="$b" c_d="$(awk "BEGIN { print sqrt($c_lo * $c_hi) }")")" -eq 0 ]
+    done <rows
+  done
+}
+
+@test "the widest interval is on no side of a wider one, and limits has that of each b" {
+  local b width k_s row
+  mlg limits li1 b_most=150 b_step=30 >limits.csv
+  [ "$(grep -c '^li1,' limits.csv)" -ge 12 ]
+  for b in 0 30 60 90 120 150; do
+    row=$(mlg widest li1 b=$b | tail -n 1)
+    IFS=, read -r k_s _ _ _ _ width _ <<<"$row"
+    near "$(of limits.csv width li1 $b)" "$width" 1e-9 "width at b = $b"
+    near "$(of limits.csv k_s li1 $b)" "$k_s" 1e-9 "k_s at b = $b"
+    # the rows of regions beside it, and all others
+    [ $((b % 60)) -ne 0 ] || mlg regions li1 b=$b | awk -F, -v width="$width" '/^li1/ && $8 > width * (1 + 1e-6) { print; bad = 1 } END { exit bad }'
+  done
+  # the limits change where the paper's figure has it, and so do AUTO's runs
+  awk -F, '/^li1/ { if (limit != "" && $9 != limit) print $2; limit = $9 }' limits.csv >changes
+  paste -d ' ' changes <(printf '%s\n' 17.6387 21.4608 47.8413 84.1777 | head -n "$(wc -l <changes)") | near_each 2e-3 "b where the limit changes"
+}
+
+## Inputs for which the sweep over frequencies gave a wrong answer
+
+# intervals LAYOUT PARAMETER...: "c_lo c_hi", one a line
+intervals() {
+  mlg intervals "$@" | awk -F, 'NR > 2 { print $1, $2 }'
+}
+
+@test "the paper's gear three times faster has the paper's intervals" {
+  local fast=(J_xi=22.2222222222 J_eta=27.7777777778 J_zeta=11.1111111111 m_D=55.5555555556 c_psi=100 c_delta=100 g=88.29 M=2209.706875)
+  # one with shimmy inside was claimed
+  intervals l2 "${fast[@]}" k_s=7.87e5 >ours
+  [ "$(wc -l <ours)" -eq 2 ]
+  paste -d ' ' <(xargs -n 1 <ours) <(printf '%s\n' 1270.659029 2920.411528 3202.924112 4682.119037) | near_each 1e-9 "end of an interval"
+  mlg boundary l2 "${fast[@]}" k_s=7.87e5 | awk -F, '$4 ~ /^m/ { print $1, $2, 7.87e5, 0 }' | are_folds l2 1e-9 "${fast[@]}"
+  # M as given is 1e-7 off; from exact ninths comes a third of the paper's
+  mapfile -t fast < <(awk 'BEGIN { printf "J_xi=%.17g\nJ_eta=%.17g\nJ_zeta=%.17g\nm_D=%.17g\nM=%.17g\nc_psi=100\nc_delta=100\ng=88.29\n", 200 / 9, 250 / 9, 100 / 9, 500 / 9, 19887.35983690112 / 9 }')
+  paste -d ' ' <(intervals l2 "${fast[@]}" k_s=7.87e5 | xargs -n 1) <(intervals l2 k_s=7.87e5 | xargs -n 1 | awk '{ printf "%.12g\n", $1 / 3 }') | near_each 1e-8 "a third of the paper's"
+}
+
+@test "a mode above 40 Hz, a range of V_top, a k_s below the window, bounds as V goes to 0" {
+  local stiff=(J_xi=20 J_eta=25 J_zeta=10 m_D=50 c_psi=94.87 c_delta=94.87 M=20337)
+  paste -d ' ' <(intervals l1 "${stiff[@]}" | xargs -n 1) <(printf '%s\n' 870.9657728 950.3313335) | near_each 1e-9 "end of the interval, 55 Hz"
+  mlg boundary l1 "${stiff[@]}" | awk -F, '$4 ~ /^m/ { print $1, $2, 1e30, 0 }' | are_folds l1 1e-9 "${stiff[@]}"
+  # reached as V goes to 0
+  local slow=(k_psi=530000 k_delta=3.7e6 l_delta=0.41 l_D=1.3 m_D=740 k_alpha=0.63)
+  paste -d ' ' <(intervals l1 "${slow[@]}" | xargs -n 1) <(printf '%s\n' 39441.70537 107969.553) | near_each 1e-9 "end of the interval, V to 0"
+  [ "$(cell lower intervals l1 "${slow[@]}"),$(cell V_lo intervals l1 "${slow[@]}")" = V_least,0 ]
+  near "$(crossings l1 free=c_d from=3e4 to=6e4 step=100 V=0.001 "${slow[@]}" | head -n 1)" 39441.70537 2e-4 "c_d at V = 0.001"
+  # its upper end at 200 m/s, once on the unsafe side
+  local top=(a=2.8 e=0.672 l_delta=4.2 l_D=4.032 h=0.56 l=1.68 R=2.0272 k_alpha=5.6 k_t=22321.4285714 m_D=15.943877551 g=54.936 M=634.163260105)
+  near "$(cell c_hi intervals l1 "${top[@]}")" "$(crossings l1 free=c_d from=2900 to=3100 step=1 V=200 "${top[@]}")" 1e-9 "c_hi at 200 m/s"
+  near "$(cell c_hi intervals l1 "${top[@]}")" 3020.1306 1e-7 "c_hi at 200 m/s"
+  [ "$(cell upper intervals l1 "${top[@]}")" = V_top ]
+}
+
+@test "gears in other units of force, time and length have the paper's answers in those units" {
+  local layout words quarter
+  # all forces and inertias a quarter: the widest interval a quarter, at a quarter of k_s
+  quarter=(k_d=27250 k_psi=95000 c_psi=75 k_delta=1525000 c_delta=75 m_D=125 J_xi=50 J_eta=62.5 J_zeta=25 k_t=175000 F_z=50000)
+  near "$(cell width widest l2 "${quarter[@]}")" 2556.717535 1e-8 "width of a quarter"
+  near "$(cell k_s widest l2 "${quarter[@]}")" 196630.9342 1e-8 "k_s of a quarter"
+}
+
+## AUTO
+
+@test "boundary points that AUTO follows to 30 random (layout, k_s, b) are extrema by the eigenvalues" {
+  local layout compliance b start words n=0 cases=0 c_d V at
+  rm -f reached.*
+  while read -r layout compliance b; do
+    cases=$((cases + 1))
+    words="b=$b"
+    [ "$layout" != l2 ] || words=
+    # shellcheck disable=SC2086 # a word or none
+    while read -r start; do
+      n=$((n + 1))
+      mlg run "random.$n" boundary.point model="$layout.boundary" "$start" $words \
         compliance="$(awk -v k="$compliance" 'BEGIN { print 0.97 * k }')" \
-        STOP="['UZ1']" UZR="{'compliance': $compliance}" -- > /dev/null || { rm -rf "build/runs/random.$n.part"; continue; }
-      point=$(value "random.$n" UZ c_1) # none where the curve folds before
-      if [ -z "$point" ] || ! near "$(value "random.$n" UZ compliance)" "$compliance" 1e-9 > /dev/null; then continue; fi
-      near "$point" "$(fold "$layout" "$(value "random.$n" UZ V_1)" "$point" b="$b" \
-        k_s="$(awk -v k="$compliance" 'BEGIN { printf "%.15g", 1e5 / k }')" | cut -d ' ' -f 1)" 1e-7 "c_d of $layout at b = $b, compliance $compliance"
-      compared=$((compared + 1))
-    done < <("build/bin/scan-$layout" points b="$b" compliance="$(awk -v k="$compliance" 'BEGIN { print 0.97 * k }')" \
-      | awk -F, 'NR > 1 && $4 != "edge" && $1 > 50 && $1 < 1e5 && $2 > 1')
+        STOP="['UZ1']" UZR="{'compliance': $compliance}" -- >/dev/null 2>&1 || { rm -rf "build/runs/random.$n.part"; continue; }
+      read -r c_d V at <<<"$(value "random.$n" UZ "c_1 V_1 compliance")" # none where the curve folds before
+      [ -n "$c_d" ] || continue
+      awk -v at="$at" -v to="$compliance" 'BEGIN { exit (at - to) ^ 2 > 1e-18 * to ^ 2 }' || continue
+      echo "$c_d $V $(awk -v k="$compliance" 'BEGIN { printf "%.15g", 1e5 / k }') $b" >>"reached.$layout"
+      echo "random.$n" >>"reached.$layout.runs"
+    done < <(mlg starts "$layout" $words compliance="$(awk -v k="$compliance" 'BEGIN { print 0.97 * k }')" c_least=50 c_most=1e5)
   done < <(awk 'BEGIN {
     srand(408)
     for (i = 0; i < 30; i++) {
       layout = i % 3 == 0 ? "l2" : i % 3 == 1 ? "li1" : "li2"
       printf "%s %.6g %.6g\n", layout, 0.02 + 0.2 * rand(), (layout == "l2" ? 0 : 200 * rand()) }
   }')
-  echo "$cases cases, $compared points"
+  echo "$cases cases, $(cat reached.l2 reached.li1 reached.li2 | wc -l) points"
   [ "$cases" -eq 30 ]
-  [ "$compared" -ge 70 ]
+  [ "$(cat reached.l2 reached.li1 reached.li2 | wc -l)" -ge 70 ]
+  for layout in l2 li1 li2; do
+    folds "$layout" <"reached.$layout" >oracle
+    paste -d ' ' <(cut -d ' ' -f 1 "reached.$layout") <(cut -d ' ' -f 1 oracle) | near_each 1e-8 "c_d of $layout"
+    # and by the algebra, along their whole way
+    mapfile -t words <"reached.$layout.runs"
+    mlg agree "$layout" "${words[@]}"
+  done
+}
+
+@test "a run beside the exact points, or an interval with shimmy inside, does not agree" {
+  mkdir -p build/runs
+  mlg run good boundary.point model=l2.boundary "$(mlg starts l2 compliance=0.1 c_least=10 c_most=1e6 | head -n 1)" compliance=0.1 DSMAX=0.01 NMX=30 -- EP=1
+  mlg agree l2 good
+  cp -r build/runs/good build/runs/bad
+  for file in b s d c; do mv "build/runs/bad/$file.good" "build/runs/bad/$file.bad"; done
+  # the seventh digit of c_1 at a labelled point
+  awk -v column="$(mlg table good | awk -F, '!/^#/ { for (k = 1; k <= NF; k++) if ($k == "c_1") print k - 5; exit }')" '
+    $1 > 0 && $4 > 0 { at = 20 + 19 * (column - 1); was = substr($0, at, 19); $0 = substr($0, 1, at - 1) sprintf("%19.10E", was * (1 + 1e-6)) substr($0, at + 19) } 1' \
+    build/runs/good/b.good >build/runs/bad/b.bad
+  run -1 mlg agree l2 bad
+  [[ $output == 'agree: bad, k_s = '*' is no boundary point, nearest '* ]]
 }
 
 @test "each interval of widths.csv has no Hopf point inside and the named bounds" {
-  local layout b k_s c_lo c_hi V_lo V_hi n=0 # b where limits change is printed to 8 digits: 5e-7 in c_d
-  while IFS=, read -r layout b k_s c_lo c_hi _ V_lo V_hi _; do
+  local layout b k_s c_lo c_hi c_d n=0
+  awk -F, '!/^#/ && $1 != "layout" && $6 > 200' results/widths.csv >wide
+  for layout in li1 li2 li3 li4 li5; do
+    # b where limits change is printed to 8 digits: 5e-7 in c_d
+    awk -F, -v layout=$layout '$1 == layout { print $4, $7, $3, $2; print $5, $8, $3, $2 }' wide >points
+    folds $layout <points >oracle
+    paste -d ' ' <(cut -d ' ' -f 1 points) <(cut -d ' ' -f 1 oracle) | near_each 5e-7 "bound of $layout"
+  done
+  while IFS=, read -r layout b k_s c_lo c_hi _; do
     n=$((n + 1))
-    near "$c_lo" "$(fold "$layout" "$V_lo" "$c_lo" b="$b" k_s="$k_s" | cut -d ' ' -f 1)" 5e-7 "c_lo of $layout at b = $b"
-    near "$c_hi" "$(fold "$layout" "$V_hi" "$c_hi" b="$b" k_s="$k_s" | cut -d ' ' -f 1)" 5e-7 "c_hi of $layout at b = $b"
-    for c_d in "$(awk "BEGIN { print $c_lo * 1.01 }")" "$(awk "BEGIN { print sqrt($c_lo * $c_hi) }")" "$(awk "BEGIN { print $c_hi * 0.99 }")"; do
+    while read -r c_d; do
       [ "$(unstable_speeds "$layout" b="$b" k_s="$(awk "BEGIN { print $k_s * 0.9999 }")" c_d="$c_d")" -eq 0 ] \
         || { echo "$layout b = $b: Hopf points at c_d = $c_d"; return 1; }
-    done
-  done < <(awk -F, '!/^#/ && $1 != "layout" && $6 > 200' results/widths.csv)
+    done < <(awk "BEGIN { print $c_lo * 1.01; print sqrt($c_lo * $c_hi); print $c_hi * 0.99 }")
+  done <wide
   [ "$n" -ge 50 ]
 }
 
@@ -91,27 +374,27 @@ column() { # NAME of widths.csv, for the row LAYOUT B
   for case in "li1 0" "li1 20" "li1 40" "li1 60" "li1 100" "li1 140" "li1 170" "li1 190" "li2 50" "li2 140" "li2 300" \
     "li3 30" "li3 60" "li4 140" "li5 30" "li5 110"; do
     read -r layout b <<< "$case"
-    near "$(column width "$layout" "$b")" "$("build/bin/scan-$layout" widest b="$b" | awk -F, 'NR == 2 { print $7 }')" 1e-6 "width of $layout at b = $b"
+    near "$(column width "$layout" "$b")" "$(cell width widest "$layout" b="$b")" 1e-6 "width of $layout at b = $b"
   done
-  # two equal maxima, of which the search follows one
-  near "$(column width li1 47.842)" "$(build/bin/scan-li1 widest b=47.842 | awk -F, 'NR == 2 { print $7 }')" 2e-6 "width of li1 at b = 47.842"
-  [ "$(build/bin/scan-li1 widest b=200 | awk -F, 'NR == 2 { print $7 }')" = 0 ]
+  [ "$(cell limit widest li1 b=200)" = 'no interval at any k_s' ]
 }
 
 @test "where the onset falls below BP1 its c_d is that of BP1" {
-  local b=17.638779 k_s c_lo onset
-  k_s=$(column k_s li1 $b) c_lo=$(column c_lo li1 $b)
-  onset=$(build/bin/eigen-li1 centre free=k_s V=36.5 c_d="$c_lo" k_s="$k_s" b=$b)
+  local b k_s c_lo onset
+  b=$(awk -F, '$1 == "li1" && $2 > 17 && $2 < 18 { print $2; exit }' results/widths.csv)
+  k_s=$(column k_s li1 "$b") c_lo=$(column c_lo li1 "$b")
+  onset=$(build/bin/eigen-li1 centre free=k_s V=36.5 c_d="$c_lo" k_s="$k_s" b="$b")
   near "$k_s" "$(awk '$1 == "k_s" { print $3 }' <<< "$onset")" 1e-6 k_s
   near "$c_lo" "$(awk '$1 == "c_d" { print $3 }' <<< "$onset")" 1e-5 c_d
 }
 
 @test "where the stationary interval takes over its width is stationary" {
-  local b=21.460839 k_s lo hi
-  k_s=$(column k_s li1 $b) c_lo=$(column c_lo li1 $b) c_hi=$(column c_hi li1 $b)
+  local b k_s
+  b=$(awk -F, '$1 == "li1" && $2 > 21 && $2 < 22 { print $2; exit }' results/widths.csv)
+  k_s=$(column k_s li1 "$b") c_lo=$(column c_lo li1 "$b") c_hi=$(column c_hi li1 "$b")
   width() { # at k_s times this: BP3 less BP2_u
-    lo=$(fold li1 36.8 "$c_lo" b=$b k_s="$(awk "BEGIN { print $k_s * $1 }")") 
-    hi=$(fold li1 "$(column V_hi li1 $b)" "$c_hi" b=$b k_s="$(awk "BEGIN { print $k_s * $1 }")")
+    lo=$(fold li1 36.8 "$c_lo" b="$b" k_s="$(awk "BEGIN { print $k_s * $1 }")")
+    hi=$(fold li1 "$(column V_hi li1 "$b")" "$c_hi" b="$b" k_s="$(awk "BEGIN { print $k_s * $1 }")")
     awk -v lo="$lo" -v hi="$hi" 'BEGIN { split(lo, l, " "); split(hi, h, " "); printf "%.9g", h[1] - l[1] }'
   }
   near "$(width 1)" "$(width 1.001)" 3e-6 "width beside the handover"
@@ -119,9 +402,11 @@ column() { # NAME of widths.csv, for the row LAYOUT B
 }
 
 @test "where the third psi region takes over it has the c_d of BP1" {
-  local b=140.47075 k_s c_lo
-  k_s=$(column k_s li1 $b) c_lo=$(column c_lo li1 $b)
-  near "$(fold li1 26.6 "$c_lo" b=$b k_s="$k_s" | cut -d ' ' -f 1)" "$(fold li1 4.96 "$c_lo" b=$b k_s="$k_s" | cut -d ' ' -f 1)" 1e-6 "third psi region"
+  local b k_s c_lo
+  b=$(awk -F, '$1 == "li1" && $2 > 140 && $2 < 141 { print $2; exit }' results/widths.csv)
+  [ "$b" != 140 ] || b=$(awk -F, '$1 == "li1" && $2 > 140 && $2 < 141' results/widths.csv | sed 1d | cut -d , -f 2 | head -n 1)
+  k_s=$(column k_s li1 "$b") c_lo=$(column c_lo li1 "$b")
+  near "$(fold li1 26.6 "$c_lo" b="$b" k_s="$k_s" | cut -d ' ' -f 1)" "$(fold li1 4.96 "$c_lo" b="$b" k_s="$k_s" | cut -d ' ' -f 1)" 1e-6 "third psi region"
   [ "$(column lower li1 140)" = BP1 ]
   [ "$(column lower li1 150)" = psi3 ]
 }
@@ -139,8 +424,8 @@ column() { # NAME of widths.csv, for the row LAYOUT B
 
 @test "a delta region that has just been born is found, and none before" {
   # the onset is at k_s = 786523.74; there the region is 36 mm/s wide
-  [ "$(build/bin/curves-l2 k_s=786525 | grep -c ',closed,delta,')" -eq 1 ]
-  [ "$(build/bin/curves-l2 k_s=786522 | grep -c ',delta,')" -eq 0 ]
-  bash scripts/curves.sh l2 island k_s=786525
+  [ "$(mlg curves l2 k_s=786525 | grep -c ',closed,delta,')" -eq 1 ]
+  [ "$(mlg curves l2 k_s=786522 | grep -c ',delta,')" -eq 0 ]
+  scripts/curves.sh l2 island k_s=786525
   [ "$(awk -F, '$2 == "delta" && $3 == "LP"' build/tables/island.csv | wc -l)" -eq 2 ]
 }

@@ -99,11 +99,39 @@ static inline struct eigen_values eigen_of_matrix(double A[NDIM * NDIM])
   return e;
 }
 
+/* The Jacobian, from two at the ends where only V has changed: it is of degree 1 in V. */
+static inline void eigen_jacobian_over_V(const double par[], double A[NDIM * NDIM])
+{
+  static double others[EIGEN_SLOTS], A0[NDIM * NDIM], dA[NDIM * NDIM];
+  static enum { NOTHING, NOTED, KNOWN } state;
+  const double far = 200.;
+  double p[EIGEN_SLOTS];
+
+  memcpy(p, par, sizeof p);
+  p[PAR_V] = 0.;
+  if (state == NOTHING || memcmp(p, others, sizeof p) != 0) {
+    memcpy(others, p, sizeof p);
+    state = NOTED;
+    eigen_jacobian(par, A);
+    return;
+  }
+  if (state == NOTED) {
+    eigen_jacobian(p, A0);
+    p[PAR_V] = far;
+    eigen_jacobian(p, dA);
+    for (int i = 0; i < NDIM * NDIM; i++)
+      dA[i] = (dA[i] - A0[i]) / far;
+    state = KNOWN;
+  }
+  for (int i = 0; i < NDIM * NDIM; i++)
+    A[i] = A0[i] + par[PAR_V] * dA[i];
+}
+
 static inline struct eigen_values eigen_values(const double par[])
 {
   double A[NDIM * NDIM];
 
-  eigen_jacobian(par, A);
+  eigen_jacobian_over_V(par, A);
   return eigen_of_matrix(A);
 }
 

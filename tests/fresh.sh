@@ -104,9 +104,11 @@ main() {
     fi
     mount -t proc proc "$fresh/$suite/proc"
     ln -sfn /proc/self/fd "$fresh/$suite/dev/fd"
+    mount -t devpts -o newinstance,ptmxmode=0666 devpts "$fresh/$suite/dev/pts"
+    ln -sf pts/ptmx "$fresh/$suite/dev/ptmx"
     cp /etc/resolv.conf "$fresh/$suite/etc"
     for who in ${case:-root user}; do one "$suite" "$who" || failed=1; done
-    umount "$fresh/$suite/proc"
+    umount "$fresh/$suite/proc" "$fresh/$suite/dev/pts"
   done
   return "$failed"
 }

@@ -13,7 +13,7 @@
 # each writes below build/tests/NAME only.
 #
 # A line for each test as it ends, a failed one with all it had to say, and one for each
-# file with the seconds it took. A program that crashes, hangs, says nothing or less than
+# file with the seconds it took and those of a processor. A program that crashes, hangs, says nothing or less than
 # it announced has failed too. On a terminal each file that is begun says how far the
 # tests are. The last line is "Tests: N passed, N failed[, N skipped]".
 #
@@ -64,7 +64,7 @@ chosen() {
 }
 
 build() {
-  make --no-print-directory test-set-up 8>&- 9>&- || exit
+  make --no-print-directory --silent test-set-up 8>&- 9>&- || exit
   MLG_SET_UP=yes make --no-print-directory --keep-going test-programs 8>&- 9>&- || built=no
 }
 
@@ -81,7 +81,9 @@ tap_of() { # name
   trap 'kill "$pid"' TERM
   wait "$pid" || status=$?
   kill -KILL -- "-$pid" 2>/dev/null || true
-  echo "took $(((${EPOCHREALTIME/./} - began + 50000) / 100000))"
+  times >"build/tests/$1.times" # of its own and, below, of what it began
+  echo "took $(((${EPOCHREALTIME/./} - began + 50000) / 100000)) $(
+    awk -F '[ms ]+' 'NR == 2 { printf "%.0f", 600 * ($1 + $3) + 10 * ($2 + $4) }' "build/tests/$1.times")"
   echo "exit status $status"
 }
 

@@ -67,13 +67,14 @@ values() { # the same of all such points
   ' "build/runs/$1/b.$1"
 }
 
-# cell COLUMN WORD...: that column of the first row of the CSV that mlg WORD... prints
+# cell COLUMN WORD...: that column of the first row of what mlg WORD... prints
 cell() {
   local column=$1
   shift
   build/bin/mlg "$@" | awk -F, -v column="$column" '
-    NR == 1 { for (k = 1; k <= NF; k++) if ($k == column) place = k }
-    NR == 2 { print $place }'
+    /^#/ { next }
+    !n++ { for (k = 1; k <= NF; k++) if ($k == column) place = k; next }
+    { print $place; exit }'
 }
 
 # near X Y RELATIVE [WHAT]
@@ -89,12 +90,12 @@ near() {
 
 # near_each TOLERANCE WHAT < lines "x y"
 near_each() {
-  local x y n=0
-  while read -r x y; do
-    n=$((n + 1))
-    near "$x" "$y" "$1" "$2, number $n," || return
-  done
-  [ "$n" -gt 0 ] || { echo "$2: nothing to compare" && return 1; }
+  awk -v tolerance="$1" -v what="$2" '
+    function bad(text) { print what ", number " NR ", " text; exit wrong = 1 }
+    BEGIN { number = "^[-+]?[0-9.]+([eE][-+]?[0-9]+)?$" }
+    $1 !~ number || $2 !~ number || NF != 2 { bad("is \"" $0 "\", expected two numbers") }
+    ($1 - $2) ^ 2 > (tolerance * $2) ^ 2 { bad("is " $1 ", expected " $2 " within " tolerance " of it") }
+    END { if (!wrong && !NR) bad("there is nothing to compare"); exit wrong }'
 }
 
 # examples FILE [FROM [TO]]: the code of its blocks ```bash, or of these only

@@ -3,7 +3,7 @@
 #   awk -v name=NAME -v counts=FILE -f tap.awk
 #
 # Reads TAP of cmocka or bats with all else the program prints, and last the lines "took
-# N", tenths of a second, and "exit status N". Writes FILE: "PASSED FAILED SKIPPED", a line without
+# N M", tenths of a second and of processor time, and "exit status N". Writes FILE: "PASSED FAILED SKIPPED", a line without
 # more, then for each failure "0 0 0 NAME: test".
 #
 # A failure is shown with the lines around it: cmocka prints some of its message
@@ -46,7 +46,7 @@ function success(word) {
   next
 }
 
-/^took [0-9]+$/ { took = $2; next }
+/^took [0-9]+ [0-9]+$/ { took = $2; processor = $3; next }
 
 /^exit status [0-9]+$/ { status = $3; ended = 1; next }
 
@@ -68,6 +68,6 @@ END {
     if (missing > 1) failed += missing - 1
   }
   show()
-  printf "      %-14s %.1f s\n", name, took / 10
+  printf "      %-14s %.1f s, %.1f s of a processor\n", name, took / 10, processor / 10
   printf "%d %d %d\n%s", passed, failed, skipped, list > counts
 }

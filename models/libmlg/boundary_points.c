@@ -1,5 +1,7 @@
 /* boundary_points.c - Hopf points, boundary points and intervals of libmlg.h
  *
+ * The points themselves come from crossing_extrema.c, the eigenvalue problem, and
+ * crossing_roots.c.
  * Between neighbouring values of c_d among all boundary points nothing changes: the
  * Hopf curves neither turn nor leave the range of V.  So one look inside each decides
  * it, and the number of crossings there must fit to what lies between: each extremum
@@ -191,7 +193,7 @@ static int merge_cluster(struct events *e, const struct crossing *x, double V_le
  * 0, or LIBMLG_UNSURE. */
 static int find_events(const struct crossing *x, double V_least, double V_top, struct events *e, int crossing[MOST + 1])
 {
-  const double narrow = 1e-7;
+  const double narrow = 1e-5;
   struct crossing_at at[MOST];
   const int extrema = crossing_extrema(x, V_least, V_top, at, MOST - 2 * CROSSING_TERMS);
   int misfit, found, rounds = 0;
@@ -203,6 +205,10 @@ static int find_events(const struct crossing *x, double V_least, double V_top, s
     add_extremum(e, x, &at[i]);
   add_edges(e, x, V_least, LIBMLG_BOTTOM);
   add_edges(e, x, V_top, LIBMLG_TOP);
+  qsort(e->event, (size_t)e->n, sizeof *e->event, by_c);
+  for (int i = 0; i + 2 < e->n; i++) /* a least and a largest c may be that near, no third */
+    if (is_near(&e->event[i].at, &e->event[i + 1].at) && is_near(&e->event[i + 1].at, &e->event[i + 2].at))
+      merge_cluster(e, x, V_least, V_top, i);
   do {
     qsort(e->event, (size_t)e->n, sizeof *e->event, by_c);
     misfit = -1;
@@ -271,13 +277,19 @@ static int hand_over(const struct problem *p, struct crossing_at at[], int n, st
   return n;
 }
 
+/* A range of speeds to look at. */
+static int is_range(double V_least, double V_top)
+{
+  return V_least >= 0. && V_top > V_least && isfinite(V_top);
+}
+
 int libmlg_hopf_at_c_d(int layout, const double par[], double zeta, double V_least, double V_top,
                        struct libmlg_point point[], int most)
 {
   struct problem p;
   struct crossing_at at[CROSSING_TERMS];
 
-  if (problem(&p, layout, par, zeta) != 0)
+  if (!is_range(V_least, V_top) || problem(&p, layout, par, zeta) != 0)
     return LIBMLG_NONE;
   return hand_over(&p, at, crossings_at_c(&p.x, p.par[PAR_C_D] / p.x.c_unit, V_least / p.x.V_unit, V_top / p.x.V_unit, at),
                    point, most, by_V);
@@ -328,7 +340,7 @@ int libmlg_boundary_points(int layout, const double par[], double zeta, double V
   struct problem p;
   int points, intervals;
 
-  if (problem(&p, layout, par, zeta) != 0)
+  if (!is_range(V_least, V_top) || problem(&p, layout, par, zeta) != 0)
     return LIBMLG_NONE;
   points_and_intervals(&p, V_least, V_top, point, most, &points, NULL, 0, &intervals);
   return points;
@@ -340,7 +352,7 @@ int libmlg_intervals(int layout, const double par[], double zeta, double V_least
   struct problem p;
   int points, intervals;
 
-  if (problem(&p, layout, par, zeta) != 0)
+  if (!is_range(V_least, V_top) || problem(&p, layout, par, zeta) != 0)
     return LIBMLG_NONE;
   points_and_intervals(&p, V_least, V_top, NULL, 0, &points, interval, most > 0 ? most : 1, &intervals);
   return intervals;

@@ -191,9 +191,9 @@ double libmlg_oscillation_size(int layout, const double u[]);
  *             s has the ratio -Re(s)/|s|; a positive real one is a divergence, below
  *             every ratio.
  *   V_least, V_top   the speeds that are looked at, m/s, V_least < V < V_top; V_least
- *             may be 0, which is a limit: the tyre is neutral there.
- * Functions that return a number of points return LIBMLG_NONE for no such layout, and
- * LIBMLG_UNSURE when LAPACK failed or what was found contradicts itself. */
+ *             may be 0, which is a limit: the tyre is neutral there.  V_top is finite.
+ * Functions that return a number of points return LIBMLG_NONE for no such layout or range,
+ * and LIBMLG_UNSURE when LAPACK failed or what was found contradicts itself. */
 
 enum { LIBMLG_UNSURE = -3, LIBMLG_MOST_POINTS = 128 };
 

@@ -28,7 +28,7 @@ struct search {
  * number and kind of the intervals.  Without an interval the width is below 0: by how
  * much two regions overlap at least, so that a search finds where they part. */
 struct state {
-  double u, width;
+  double u, width, parting; /* parting: bottom over top of two regions that overlap, 1: they part */
   unsigned long signature;
   struct libmlg_interval widest;
 };
@@ -65,8 +65,10 @@ static struct state state_at(struct search *s, double u)
   if (intervals == 0) {
     here.width = -INFINITY;
     for (int i = 0; i + 1 < points; i++) /* the upper one begins before the lower ends */
-      if (point[i].kind == LIBMLG_LEAST && point[i + 1].kind == LIBMLG_LARGEST)
+      if (point[i].kind == LIBMLG_LEAST && point[i + 1].kind == LIBMLG_LARGEST) {
         here.width = fmax(here.width, point[i].c_d - point[i + 1].c_d);
+        here.parting = fmax(here.parting, point[i].c_d / point[i + 1].c_d);
+      }
   }
   return here;
 }
@@ -81,7 +83,7 @@ static int by_u(const void *a, const void *b)
 /* Between two states that differ: both sides of a place where they do. */
 static int add_change(struct search *s, struct state a, struct state b, struct state node[], int n)
 {
-  while (b.u - a.u > 1e-7 && n + 2 <= MOST_NODES) {
+  while (b.u - a.u > 1e-5 && n + 2 <= MOST_NODES) {
     const struct state middle = state_at(s, 0.5 * (a.u + b.u));
 
     if (middle.signature == a.signature)
@@ -94,13 +96,13 @@ static int add_change(struct search *s, struct state a, struct state b, struct s
   return n;
 }
 
-/* The largest width from left to right, by golden section. */
-static struct state golden(struct search *s, struct state best, double left, double right)
+/* The largest width from left to right, by golden section to that tolerance. */
+static struct state golden(struct search *s, struct state best, double left, double right, double tolerance)
 {
   const double ratio = 0.6180339887498949;
   struct state a = state_at(s, right - ratio * (right - left)), b = state_at(s, left + ratio * (right - left));
 
-  while (right - left > 1e-15 * (1. + right)) {
+  while (right - left > tolerance) {
     if (a.width > best.width)
       best = a;
     if (b.width > best.width)
@@ -156,6 +158,23 @@ static int is_newborn(struct search *s, const struct state *beside, const struct
   return 0;
 }
 
+/* The point of another u, a small step away, as it is at the best one. */
+static struct libmlg_point same_at(struct search *s, const struct state *best, const struct libmlg_point *p)
+{
+  struct libmlg_point point[LIBMLG_MOST_POINTS], same = *p;
+  double nearest = INFINITY;
+  int n;
+
+  s->par[s->k_s] = k_s_of(s, best->u);
+  n = libmlg_boundary_points(s->layout, s->par, s->zeta, s->V_least, s->V_top, point, LIBMLG_MOST_POINTS);
+  for (int i = 0; i < n; i++)
+    if (is_same(&point[i], p) && fabs(log(point[i].c_d / p->c_d)) < nearest) {
+      nearest = fabs(log(point[i].c_d / p->c_d));
+      same = point[i];
+    }
+  return same;
+}
+
 /* What limits the best state: what bounds the widest interval a little to both sides, where
  * it is another one. */
 static void classify(struct search *s, const struct state *best, struct libmlg_widest *w)
@@ -176,8 +195,10 @@ static void classify(struct search *s, const struct state *best, struct libmlg_w
     w->third = below ? side.widest.lo : side.widest.hi;
     if (is_newborn(s, &side, &w->third, &best->widest, &w->third))
       w->limit = LIBMLG_ONSET;
-    else
+    else {
       w->limit = below ? LIBMLG_EQUAL_LO : LIBMLG_EQUAL_HI;
+      w->third = same_at(s, best, &w->third);
+    }
   }
 }
 
@@ -231,7 +252,7 @@ int libmlg_widest(int layout, const double par[], double zeta, double V_least, d
   }
   for (int i = 0; i < nodes; i++) /* where two regions nearly part, more closely */
     for (int k = 1; k < FINER && !(node[i].width > 0.) && !(node[i + 1].width > 0.)
-                    && (node[i].width > -INFINITY || node[i + 1].width > -INFINITY); k++)
+                    && fmax(node[i].parting, node[i + 1].parting) > 0.5; k++)
       node[n++] = state_at(&s, node[i].u + (node[i + 1].u - node[i].u) * k / FINER);
   qsort(node, (size_t)n, sizeof *node, by_u);
   for (int i = 0, first = n; i + 1 < first; i++)
@@ -244,14 +265,26 @@ int libmlg_widest(int layout, const double par[], double zeta, double V_least, d
       best = node[i];
   if (best.width > DBL_MAX)
     w->limit = LIBMLG_UNBOUNDED;
-  /* local maxima that may come to be the largest between their neighbours */
-  for (int i = 0; i < n && nodes > 0 && !(best.width > DBL_MAX); i++) {
-    const int left = i > 0 ? i - 1 : i, right = i + 1 < n ? i + 1 : i;
+  /* local maxima that may come to be the largest between their neighbours, and of these the
+   * largest to rounding */
+  double left = 0., right = 0.;
 
-    if (node[i].width >= node[left].width && node[i].width >= node[right].width
-        && node[i].width > (best.width > 0. ? 0.7 * best.width : -INFINITY))
-      best = golden(&s, best.width > node[i].width ? best : node[i], node[left].u, node[right].u);
+  for (int i = 0; i < n && nodes > 0 && !(best.width > DBL_MAX); i++) {
+    const struct state *before = &node[i > 0 ? i - 1 : i], *after = &node[i + 1 < n ? i + 1 : i];
+    struct state top;
+
+    if (node[i].width < before->width || node[i].width < after->width
+        || (node[i].width > 0. ? node[i].width < 0.7 * best.width : best.width > 0. || node[i].parting < 0.5))
+      continue;
+    top = golden(&s, node[i], before->u, after->u, 1e-5);
+    if (top.width >= best.width) {
+      best = top;
+      left = before->u;
+      right = after->u;
+    }
   }
+  if (right > left)
+    best = golden(&s, best, fmax(left, best.u - 3e-5), fmin(right, best.u + 3e-5), 1e-13);
   w->width = fmax(0., best.width);
   w->interval = best.widest;
   w->k_s = k_s_of(&s, best.u);

@@ -39,34 +39,35 @@ to_damping_ratio() { # RUN LAYOUT U ZETA [PARAMETER=VALUE ...]
 }
 
 # The widest interval over k_s, followed in b: a run $figure.width.PREFIXn for each
-# stretch of b with one limit (mlg limits), to where the event that ends it passes zero.
-# It reports the multiples of 10, and the b at which it takes over from another.
+# stretch of b with one limit (mlg limits), to where the event that ends it passes zero, or
+# to where another interval becomes the wider; there that one is followed back.  Runs
+# report the multiples of 10, and where the width is largest.
 follow_widths() { # LAYOUT [PREFIX]
-  local layout=$1 prefix=${2:-} number from to limit constants event start closing stop end step took_over=''
-  # a run that another one overtakes ends there (RL1) without a row of its own
-  mlg limits "$layout" stretches tolerance=1e-5 > "build/tables/stretches.$layout"
+  local layout=$1 prefix=$figure.width.${2:-} number to at peak limit constants event start settings stop took_over=''
+  mlg limits "$layout" stretches tolerance=0.02 > "build/tables/stretches.$layout"
   : > "build/tables/widths.$layout"
-  while IFS=, read -r number from to limit constants event start; do
+  while IFS=, read -r number _ to at peak limit constants event start; do
+    if ! [[ $number =~ ^[0-9]+$ ]] || [ -z "$constants" ]; then continue; fi
+    start=${start#\"} start=${start%\"}
+    settings=("$constants" model="$layout.boundary" "$start" b="$at")
     case $limit in
-      onset) closing=0 ;;
-      equal) closing=1 ;;
-      stationary) closing=2 ;;
-      *) continue ;;
+      onset) settings+=(closing=0) ;;
+      equal) settings+=(closing=1) ;;
+      stationary) settings+=(closing=2 DSMAX=0.01) ;;
     esac
-    [ -n "$constants" ] || continue
-    stop="'b': $to" end=1e6 step=2.0
+    if [ -n "$took_over" ]; then
+      run "$prefix$number.back" "${settings[@]}" DS=-0.001 UZSTOP="{'b': $took_over}" -- UZ=1
+      echo "$prefix$number.back" >> "build/tables/widths.$layout"
+      took_over=''
+    fi
     case $event in
-      b) ;;
-      wider) stop="'b': 300.0" end=$to ;;
+      b) stop="'b': $to" ;;
+      wider) stop="'b': 300.0" settings+=(RL1="$to") took_over=$(awk "BEGIN { printf \"%.3f\", $to + 5e-4 }") ;;
       *) stop="'b': 300.0, '$event': 0.0" ;;
     esac
-    [ "$limit" != stationary ] || step=0.01
-    start=${start#\"} start=${start%\"}
-    run "$figure.width.$prefix$number" "$constants" model="$layout.boundary" "$start" closing="$closing" b="$from" \
-      DS=1e-4 DSMAX="$step" UZSTOP="{$stop, 'width': 100.0}" RL1="$end" UZR="{'b': [$(seq -s ', ' 0 10 290)${took_over:+, $took_over}]}" --
-    echo "$figure.width.$prefix$number" >> "build/tables/widths.$layout"
-    took_over=''
-    [ "$event" != wider ] || took_over=$(awk "BEGIN { printf \"%.3f\", $to + 5e-4 }")
+    run "$prefix$number" "${settings[@]}" DS=0.001 UZSTOP="{$stop, 'width': 100.0}" \
+      UZR="{'b': [$(seq -s ', ' 0 10 290)${peak:+, $peak}]}" --
+    echo "$prefix$number" >> "build/tables/widths.$layout"
   done < "build/tables/stretches.$layout"
 }
 
@@ -108,7 +109,7 @@ width_rows() { # LAYOUT
   local runs
   mapfile -t runs < "build/tables/widths.$1"
   mlg agree "$1" "${runs[@]}" > /dev/null || exit $?
-  mlg widths "${runs[@]}" prefix="$1" >> "$widths_table.new"
+  mlg widths "${runs[@]}" prefix="$1" | sort -t , -k 2,2g -u >> "$widths_table.new"
 }
 
 # A row of widths.csv for a b at which no k_s has a zero-shimmy interval.

@@ -115,7 +115,7 @@ record() {
   if cmp -s "$table.new" "$table" && grep -q "^$figure," "$file" 2> /dev/null; then return; fi
   exec 7> build/tables/versions.lock
   flock 7
-  runs=$(grep -lx "figure=$figure" build/runs/*/origin 2> /dev/null | wc -l)
+  runs=$({ grep -lx "figure=$figure" build/runs/*/origin 2> /dev/null || true; } | wc -l)
   {
     echo "# With what the runs of a figure were made when its table last changed."
     echo figure,runs,AUTO,cc,gfortran,libc,gnuplot,system,processor

@@ -6,20 +6,25 @@
 #   left_margin, bottom_margin, top_margin, gap_x, gap_y   of the screen; V_tics
 #   c_lo, c_hi   range of the c_d axis, logarithmic; V_hi range of V
 #   note_X   how many words panel X carries, note_X_1, ... "text|V|c_d" each
-# One colour is one k_s within a figure, from blue for a soft to red for a stiff
-# one, black for an infinite one; solid lines bound psi-, dashed ones delta-shimmy.
+# One colour is one k_s in every figure, from blue for a soft to red for a stiff one,
+# black for an infinite one; solid lines bound psi-, dashed ones delta-shimmy.
 file = sprintf("results/%s.csv", figure)
 # columns of the table: 1 panel, 2 b, 3 k_s, 4 curve, 5 shimmy, 6 type, 7 V, 8 c_d
-list(what) = system(sprintf("awk -F, '/^#/ || $1==\"panel\" {next} %s && !seen[$3]++ {print $3}' %s | sort -g", what, file))
-all_k = list("1")
-of_panel(p, kind) = list(sprintf("$1==\"%s\" && $5==\"%s\"", p, kind))
-rows(p, k, kind) = sprintf("< awk -F, '$1==\"%s\" && $3==\"%s\" && $5==\"%s\" {if($4!=last)print \"\"; last=$4; print}' %s", p, k, kind, file)
+list(what) = cell(sprintf("%s k_s each %s", file, what))
+of_panel(p, kind) = list(sprintf("panel=%s shimmy=%s", p, kind))
+rows(p, k, kind) = pick(sprintf("%s panel=%s k_s=%s shimmy=%s blocks=curve", file, p, k, kind))
 
-palette = "#2b3a9f #2f7fd6 #1aa6a6 #3a9d3a #a5a500 #ef8a17 #d9372b #8e1a6b"
-place(k) = sum [j=1:words(all_k)] (word(all_k, j) eq k ? j : 0)
-finite = words(all_k) - (word(all_k, words(all_k)) eq "1e30")
-shade(n) = word(palette, finite < 2 ? 1 : 1 + int(0.5 + (n - 1.) * (words(palette) - 1) / (finite - 1)))
-colour(k) = k eq "1e30" ? "#000000" : shade(place(k))
+# the k_s of Figures 9, 12 and 14; another one gets a shade between these
+all_k = "4e5 4.4e5 4.6e5 4.8e5 5e5 5.2e5 5.4e5 5.9e5 6e5 6.2e5 6.7e5 7e5 8e5 8.4e5 1e6 1.4e6 1.5e6 2e6 2.1e6 3e6"
+palette = "2b3a9f 2f7fd6 1aa6a6 3a9d3a a5a500 ef8a17 d9372b 8e1a6b"
+stiffness(k) = real(k[1:strstrt(k, "e") - 1])*10**real(k[strstrt(k, "e") + 1:*]) # of "4e5" gnuplot makes no number
+below(k) = sum [j=1:words(all_k)] (stiffness(word(all_k, j)) < 0.999*stiffness(k))
+digit(t) = strstrt("0123456789abcdef", t) - 1
+part(j, c) = 16*digit(substr(word(palette, j), 2*c - 1, 2*c - 1)) + digit(substr(word(palette, j), 2*c, 2*c)) # red, green or blue
+mix(x, c) = (j = int(x) < words(palette) ? int(x) : words(palette) - 1, int(part(j, c) + (x - j)*(part(j + 1, c) - part(j, c))))
+tint(x, light) = light ? int(x + 0.4*(255 - x)) : int(0.85*x) # neighbours are light and dark
+shade(x, light) = sprintf("#%02x%02x%02x", tint(mix(x, 1), light), tint(mix(x, 2), light), tint(mix(x, 3), light))
+colour(k) = k eq "1e30" ? "#000000" : shade(1 + (words(palette) - 1.)*below(k)/(words(all_k) - 1.), int(below(k)) % 2)
 power(k) = k eq "1e30" ? "∞" : (e = strstrt(k, "e"), sprintf("%s·10^{%s}", k[1:e-1], k[e+1:*]))
 
 do for [ending in "png svg"] {

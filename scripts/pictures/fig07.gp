@@ -2,7 +2,7 @@
 file = "results/fig07.csv"
 # columns of the table: 1 curve, 2 shimmy, 3 type, 4 V, 5 c_d
 curve(name) = where(file, "curve", name)
-shimmy(kind) = sprintf("< awk -F, '/^#/{next} $2==\"%s\"{if($1!=last)print \"\"; last=$1; print}' %s", kind, file)
+shimmy(kind) = pick(sprintf("%s shimmy=%s blocks=curve", file, kind))
 is(type, y) = strcol(3) eq type ? y : NaN
 # the zero-shimmy interval: from the LP of the low psi curve to that of the delta curve
 stats curve("low") using (is("LP", $5)) name "low" nooutput
@@ -31,17 +31,20 @@ do for [ending in "png svg"] {
       set label 5 "ψ-shimmy" at 70,7.5 center front boxed
       set arrow 1 from 63,6 to 50,0.7 front
       set object 1 rectangle from graph 0,0 to graph 1,1 fs solid fc rgb grey behind
+      set label 6 "T_δ" at 39,52.5 center front font ",12" boxed
+      set label 7 "T_ψ" at 54,38 center front font ",12" boxed; set arrow 2 from 52.5,39.3 to 44.2,44.6 front
+      set key at 197,63.5 right top Left reverse samplen 2.5 width -6 opaque
     } else {
-      unset label 5; unset arrow 1
-      set object 1 rectangle from screen 0.475,0.155 to screen 0.965,0.64 fs solid fc rgb "white" behind
-      set lmargin at screen 0.535; set rmargin at screen 0.95
-      set bmargin at screen 0.205; set tmargin at screen 0.60
+      unset label; unset arrow; unset key
+      set object 1 rectangle from screen 0.475,0.155 to screen 0.965,0.60 fs solid fc rgb "white" behind
+      set lmargin at screen 0.55; set rmargin at screen 0.95
+      set bmargin at screen 0.245; set tmargin at screen 0.575
       set xrange [0:80]; set yrange [2:4]
-      set xtics 20; set ytics 0.5; unset xlabel; unset ylabel
-      set label 1 "ψ-shimmy" at 11.5,2.25
-      set label 2 "δ-shimmy" at 36,3.55
-      set label 3 "zero-shimmy region" at 58,2.885
-      set label 4 sprintf("%.2f < c_d < %.2f", c_lo, c_hi) at 58,2.62
+      set xtics 20; set ytics 0.5; set xlabel "V (m/s)" offset 0,0.5; set ylabel "c_d (kN m s/rad)" offset 1,0
+      set label 1 "ψ-shimmy" at 11.5,2.25 center front boxed
+      set label 2 "δ-shimmy" at 36,3.55 center front boxed
+      set label 3 "zero-shimmy region" at 58,2.885 center front boxed
+      set label 4 sprintf("%.2f < c_d < %.2f", c_lo, c_hi) at 58,2.62 center front boxed
       set object 2 rectangle from graph 0,0 to graph 1,1 fs solid fc rgb grey behind
     }
     plot for [name in "psi delta low"] curve(name) using 4:(kilo*$5) with filledcurves closed fc rgb "white" fs solid noborder, \
@@ -51,7 +54,10 @@ do for [ending in "png svg"] {
          for [name in "torus_psi torus_delta"] curve(name) using 4:(kilo*$5) with lines ls 4, \
          kilo*c_lo with lines ls 9, kilo*c_hi with lines ls 9, \
          curve("psi") using 4:(is("HH", kilo*$5)) with points ls 7, \
-         curve("psi") using 4:(is("HH", kilo*$5)):("HH") with labels offset 2.2,-0.5 boxed
+         curve("psi") using 4:(is("HH", kilo*$5)):("HH") with labels offset 2.2,-0.5 boxed, \
+         keyentry with lines ls 3 title "Hopf curves", \
+         keyentry with lines ls 4 title "torus curves, T_ψ of ψ-, T_δ of δ-shimmy", \
+         keyentry with lines ls 9 title "ends of the zero-shimmy interval"
   }
   unset multiplot
   unset object 2

@@ -6,4 +6,4 @@ c_lo = 1e3; c_hi = 8e4; V_hi = 100; V_tics = 20; key_y = 0.40
 title_a = "(a) large k_s"; title_b = "(b) small k_s"
 note_a = 3; note_a_1 = "ψ|12|50000"; note_a_2 = "δ|64|9000"; note_a_3 = "ψ|12|1400"
 note_b = 2; note_b_1 = "ψ|16|50000"; note_b_2 = "ψ|16|1400"
-load "scripts/curves.gp"
+load "scripts/pictures/curves.gp"

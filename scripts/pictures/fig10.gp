@@ -1,10 +1,11 @@
 # fig10.gp - Figure 10 from results/fig09.csv, fig10.csv, boundary_points.csv
-load "scripts/regions.gp"
+load "scripts/pictures/regions.gp"
 file = "results/fig10.csv"
 # the diagram in (a): 4 curve, 5 shimmy, 6 type, 7 V, 8 c_d of results/fig09.csv, a block a curve
-shown = "< awk -F, '$1==\"a\" && $3==\"1e6\" {if($4!=last)print \"\"; last=$4; print}' results/fig09.csv"
+shown = pick("fig09 panel=a k_s=1e6 blocks=curve")
 extremum(y) = strcol(6) eq "LP" ? y : NaN
 bp(shimmy, V, c) = shimmy eq "psi" ? (c < 8000 ? "BP1" : "BP3") : (c < 12000 ? "BP2_l" : "BP2_u")
+widest = number("widths width layout=li2 b=0")
 stats curve("l2", "0", "onset") using 6 name "onset" nooutput
 stats curve("l2", "0", "meet") using 6 name "meet" nooutput
 do for [ending in "png svg"] {
@@ -31,8 +32,11 @@ do for [ending in "png svg"] {
   set title "(c) width in damping of the zero-shimmy region" offset 0,-0.5
   set xrange [0.4:2.4]; set yrange [0:11]
   set ylabel "width (kN m s/rad)"
-  set label 1 "BP1 to BP3" at 0.64,8.5 right; set label 2 "BP2_u to BP3" at 0.735,2.6 right; set label 3 "BP1 to BP2_l" at 1.0,1.9 left; set arrow 1 from 0.74,2.6 to 0.797,2.6
-  plot region("l2", "0", file) using (mega*$1):(kilo*$4) with lines lc rgb "black" lw 2
+  set label 1 "BP1 to BP3" at 0.64,8.5 right; set label 2 "BP2_u to BP3" at 0.735,2.6 right tc ls 12
+  set label 3 "BP1 to BP2_l" at 1.0,1.9 left tc ls 12; set arrow 1 from 0.74,2.6 to 0.797,2.6
+  set arrow 2 from mega*onset_max,kilo*widest to mega*onset_max,0 nohead dt 3
+  plot region("l2", "0", file) using (mega*$1):($1 <= onset_max ? kilo*$4 : NaN) with lines lc rgb "black" lw 2, \
+       region("l2", "0", file) using (mega*$1):($1 > onset_max ? kilo*$4 : NaN) with lines ls 12
   unset label; unset arrow
   # (a) the four boundary points in the (V, c_d) plane
   set lmargin at screen 0.08; set rmargin at screen 0.45; set bmargin at screen 0.56; set tmargin at screen 0.95

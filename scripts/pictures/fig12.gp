@@ -12,4 +12,4 @@ note_c = 4; note_c_1 = "ψ|30|28000"; note_c_2 = "δ|53|7000"; note_c_3 = "ψ|12
 note_d = 4; note_d_1 = "ψ|30|28000"; note_d_2 = "δ|51|7000"; note_d_3 = "ψ|8|1200"; note_d_4 = "third ψ|20|450"
 note_e = 4; note_e_1 = "ψ|30|28000"; note_e_2 = "δ|49|7000"; note_e_3 = "ψ|5|1200"; note_e_4 = "third ψ|58|850"
 note_f = 4; note_f_1 = "ψ|30|28000"; note_f_2 = "δ|47|7000"; note_f_3 = "ψ|5|1200"; note_f_4 = "third ψ|58|1050"
-load "scripts/curves.gp"
+load "scripts/pictures/curves.gp"

@@ -1,10 +1,15 @@
 # fig13.gp - Figure 13 from results/fig13.csv, boundary_points.csv, widths.csv
-load "scripts/regions.gp"
+load "scripts/pictures/regions.gp"
 file = "results/fig13.csv"
 bs = "20 30 70 100 130 150"
-widths(kind) = sprintf("< awk -F, '/^#/{next} $1==\"li1\" && %s' results/widths.csv", kind)
-tens = "$2 % 10 == 0"
-best = "$2 > 140 && $2 < 150" # where the third psi region takes over: the largest of all
+widths(kind) = pick("widths layout=li1 " . kind)
+tens = "b%10=0"
+best = "'b>140' 'b<150'" # where the third psi region takes over: the largest of all
+# what limits the width in turn (docs/boundary.md), and the b where it changes
+changes = cell("widths b layout=li1 b%10!=0 each")
+change(i) = i < 1 ? 0. : i > words(changes) ? 200. : real(word(changes, i))
+limits = "'1  onset of the δ region' '2  BP2_u reaches BP1' '3  stationary above BP2_u' '4  BP2_u reaches BP1' '5  onset of the δ region' '6  the same, above the third ψ region' '7  BP2_u reaches the third ψ region'"
+largest(column) = number(sprintf("widths %s layout=li1 largest=width", column))
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1300,1300 font "DejaVu Sans,13" } \
   else { set terminal svg size 1300,1300 font "DejaVu Sans,14" }
@@ -28,22 +33,23 @@ do for [ending in "png svg"] {
          curve("li1", b, "BP1|meet") using (mega*$6):(kilo*$7) with lines ls 11, \
          curve("li1", b, "BP2_l|BP2_u|onset") using (mega*$6):(kilo*$7) with lines ls 12, \
          curve("li1", b, "psi3|meet") using (mega*$6):(kilo*$7) with lines ls 14, \
-         sprintf("< awk -F, '$1==\"li1\" && $2==\"%s\"' results/widths.csv", b) using (mega*$3):(kilo*$4):(0):(kilo*($5-$4)) with vectors nohead lc rgb "black" lw 2
+         widths("b=" . b) using (mega*$3):(kilo*$4):(0):(kilo*($5-$4)) with vectors nohead lc rgb "black" lw 2
     unset label # the legend, once is enough
   }
   set lmargin at screen 0.065; set rmargin at screen 0.965
   set tmargin at screen 0.31; set bmargin at screen 0.055
   set title "(b) largest width in damping over k_s" offset 0,-0.6
-  set xrange [0:200]; set yrange [0:12]; set xtics 20; set ytics 2
-  set xlabel "b (N m s^2/rad)"; set ylabel "width (kN m s/rad)" offset 1,0
-  set label 1 "onset of δ-shimmy" at 16,9.2 left
-  set label 2 "BP2_u reaches BP1" at 62,6.0 left; set label 7 "BP2_u reaches BP1" at 22,7.3 left
-  set label 3 "stationary above BP2_u" at 34,4.1 center
-  set label 4 "onset of δ-shimmy" at 104,9.6 left
-  set label 5 "onset above the third ψ region" at 198,11.2 right
-  set label 6 system("awk -F, '$1==\"li1\" && $2>140 && $2<150 {printf \"largest: %.1f at b = %.2f, k_s = %.4g MN m/rad\", $6, $2, 1e-6*$3}' results/widths.csv") at 122,7.6 center
-  plot widths("1") using 2:(kilo*$6) with lines lc rgb "#1f4fd8" lw 2, \
+  set xrange [0:200]; set yrange [0:13]; set xtics 20; set ytics 2
+  set xlabel "b (N m s^2/rad)"; set ylabel "width (kN m s/rad)" offset 0,0
+  do for [i=1:7] {
+    set label i sprintf("%d", i) at 0.5*(change(i - 1) + change(i)),12.3 center font ",12"
+    set label 10 + i word(limits, i) at 62 + 52*((i - 1) / 4),5.3 - 1.1*((i - 1) % 4) left font ",12"
+  }
+  set label 20 sprintf("largest: %.1f at b = %.2f, k_s = %.4g MN m/rad", largest("width"), largest("b"), mega*largest("k_s")) at 118,7.2 center font ",12"
+  plot widths("") using 2:(kilo*$6) with lines lc rgb "#1f4fd8" lw 2, \
        widths(tens) using 2:(kilo*$6) with points pt 7 ps 0.8 lc rgb "#1f4fd8", \
+       widths("b%10!=0") using 2:(kilo*$6):(0):(13 - kilo*$6) with vectors nohead lc rgb "#808080" dt (3,4), \
+       widths("b%10!=0") using 2:(kilo*$6) with points pt 6 ps 1.2 lw 1.5 lc rgb "#000000", \
        widths(best) using 2:(kilo*$6) with points ls 8
   unset label
   unset multiplot

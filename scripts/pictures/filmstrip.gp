@@ -3,9 +3,9 @@
 # and from behind; and the same moving (.gif).
 file = "results/filmstrip.csv"
 turns = 5; bends = 10; shifts = 4 # psi, delta* and lambda are drawn so many times larger
-gear(solution, view, part, choice) = sprintf("< awk -F, -v solution=%s -v view=%s -v part=%s %s -v turns=%g -v bends=%g -v shifts=%g -f scripts/filmstrip.awk models/mlg.h %s", solution, view, part, choice, turns, bends, shifts, file)
+gear(solution, view, part, choice) = sprintf("< build/bin/mlg strip %s solution=%s view=%s part=%s %s turns=%g bends=%g shifts=%g", file, solution, view, part, choice, turns, bends, shifts)
 draw_gear = "plot gear(s, view, 'wheels', choice) with filledcurves closed fc rgb '#e4e4e4', gear(s, view, 'strut', choice) with lines ls 11, gear(s, view, 'contact', choice) with lines ls 12"
-period(s) = real(system(sprintf("awk -F, '$1 == \"%s\" { t = $3 } END { print t }' %s", s, file)))
+period(s) = number(sprintf("%s t solution=%s phase=1", file, s))
 title(s) = sprintf("%s, %.1f Hz", s eq "A" ? "A: ψ-shimmy, V = 20 m/s" : "B: δ-shimmy, V = 40 m/s", 1. / period(s))
 place(above, below) = sprintf("set tmargin at screen %g; set bmargin at screen %g", above, below)
 
@@ -20,7 +20,7 @@ do for [ending in "png svg"] {
   set output sprintf("results/filmstrip.%s.new", ending)
   set multiplot
   set label 1 sprintf("ψ is drawn %g times larger, δ* %g times, the tyres’ deflections %g times; blue: the tyres on the ground", turns, bends, shifts) at screen 0.5,0.017 center
-  choice = "-v every=12 -v apart=1" # one metre of the gears' axis is an eighth of the period
+  choice = "every=12 apart=1" # one metre of the gears' axis is an eighth of the period
   set lmargin at screen 0.065; set rmargin at screen 0.935
   do for [row=0:1] {
     s = row ? "B" : "A"
@@ -59,7 +59,7 @@ set output "results/filmstrip.gif.new"
 unset ylabel
 set xrange [-0.6:0.6]
 do for [k=0:92:4] {
-  choice = sprintf("-v only=%d", k)
+  choice = sprintf("only=%d", k)
   set multiplot
   do for [row=0:1] {
     s = row ? "B" : "A"

@@ -1,14 +1,14 @@
 # layouts.gp - layouts LI3, LI4 and LI5 from results/layouts.csv, layouts_planes.csv,
 # layouts_branches.csv, boundary_points.csv and widths.csv
-load "scripts/regions.gp"
+load "scripts/pictures/regions.gp"
 layouts = "li3 li4 li5"
 name(l) = l eq "l2" ? "L2" : "LI" . l[3:3]
-value_of(l, c) = real(system(sprintf("awk -F, '$1==\"%s\" {print $%d; exit}' results/layouts_planes.csv", l, c)))
+value_of(l, c) = number(sprintf("layouts_planes %s panel=%s", c, l))
 # the widest interval in hand of layout l at k_s: c_lo and c_hi
-bound(l, c) = real(system(sprintf("awk -F, -v k=%g '$1==\"%s\" && $3!=\"inf\" {d=($3-k)^2; if(!n++||d<m){m=d; x=$%d}} END{print x}' results/layouts.csv", value_of(l, 3), l, c)))
+bound(l, c) = number(sprintf("layouts %s layout=%s nearest:k_s=%s", c, l, cell("layouts_planes k_s panel=" . l)))
 branch(l) = where("results/layouts_branches.csv", "layout", l)
-plane(l) = sprintf("< awk -F, '$1==\"%s\" {if($4!=last)print \"\"; last=$4; print}' results/layouts_planes.csv", l)
-widths(l) = sprintf("< awk -F, '$1==\"%s\" && $6>0' results/widths.csv", l)
+plane(l) = pick(sprintf("layouts_planes panel=%s blocks=curve", l))
+widths(l) = pick(sprintf("widths layout=%s 'width>0'", l))
 stable(y) = column(7) == 1 ? y : NaN
 is(type, y) = strcol(3) eq type ? y : NaN
 
@@ -22,7 +22,7 @@ do for [ending in "png svg"] {
     set lmargin at screen 0.07 + 0.32*(i-1); set rmargin at screen 0.325 + 0.32*(i-1)
     # (a) shimmy over V
     set tmargin at screen 0.965; set bmargin at screen 0.795
-    set title sprintf("(a%d) %s: b = %g, k_s = %.3g MN m/rad", i, name(l), value_of(l, 2), mega*value_of(l, 3)) offset 0,-0.6
+    set title sprintf("(a%d) %s: b = %g, k_s = %.3g MN m/rad", i, name(l), value_of(l, "b"), mega*value_of(l, "k_s")) offset 0,-0.6
     set xrange [0:100]; set xtics 20; set xlabel "V (m/s)" offset 0,0.4
     set yrange [-0.4:16]; set ytics 5; set ylabel i == 1 ? "max ψ (deg)" : ""
     set label 1 "c_d = 3.6·10^4" at graph 0.97,0.92 right
@@ -35,15 +35,15 @@ do for [ending in "png svg"] {
     set tmargin at screen 0.735; set bmargin at screen 0.565
     set title sprintf("(b%d) %s: Hopf curves", i, name(l)) offset 0,-0.6
     set yrange [10:8e4]; set logscale y; set format y "10^{%T}"; set ytics auto; set ylabel i == 1 ? "c_d (N m s/rad)" : ""
-    set object 1 rectangle from 0,bound(l, 4) to 100,bound(l, 5) fc rgb grey fs noborder behind
-    set label 1 "no shimmy" at 72,sqrt(bound(l, 4)*bound(l, 5)) center
+    set object 1 rectangle from 0,bound(l, "c_lo") to 100,bound(l, "c_hi") fc rgb grey fs noborder behind
+    set label 1 "no shimmy" at 72,sqrt(bound(l, "c_lo")*bound(l, "c_hi")) center
     plot plane(l) using 7:(strcol(5) eq "psi" ? column(8) : NaN) with lines ls 3, \
          plane(l) using 7:(strcol(5) eq "delta" ? column(8) : NaN) with lines ls 3 dt (6,3), \
          plane(l) using 7:(strcol(6) eq "LP" ? column(8) : NaN) with points ls 7
     unset object 1; unset label 1; unset logscale y; set format y "%h"
     # (c) boundary points and region over k_s
     set tmargin at screen 0.505; set bmargin at screen 0.335
-    b = sprintf("%g", value_of(l, 2))
+    b = sprintf("%g", value_of(l, "b"))
     set title sprintf("(c%d) %s: boundary points, b = %s", i, name(l), b) offset 0,-0.6
     if (i == 2) { set xrange [0.8:4]; set xtics 0.8 } else { set xrange [0.3:1.2]; set xtics 0.2 }
     set xlabel "k_s (MN m/rad)" offset 0,0.4
@@ -67,7 +67,7 @@ do for [ending in "png svg"] {
   set xrange [0:200]; set xtics 20; set xlabel "b (N m s^2/rad)"
   set yrange [0:25]; set ytics 5; set ylabel "width (kN m s/rad)"
   set key left top horizontal samplen 2 autotitle
-  L2 = real(system("awk -F, '$1==\"li2\" && $2==0 {print $6}' results/widths.csv"))
+  L2 = number("widths width layout=li2 b=0")
   plot kilo*L2 with lines lc rgb "#808080" lw 2 title "L2", \
        widths("li1") using 2:(kilo*$6) with lines lc rgb "#808080" dt (2,3) lw 2 title "LI1", \
        widths("li2") using 2:(kilo*$6) with lines lc rgb "#808080" dt (8,4) lw 2 title "LI2", \

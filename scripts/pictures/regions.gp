@@ -4,10 +4,10 @@
 kilo = 1e-3 # axes in kN m s/rad
 mega = 1e-6 # and MN m/rad
 points = "results/boundary_points.csv"
-# the boundary points of these names, a block a curve
-curve(layout, b, names) = sprintf("< awk -F, -v names='|%s|' '/^#/{next} $1==\"%s\"&&$2==\"%s\"&&index(names,\"|\"$4\"|\")&&$6!=\"inf\"{if($3!=last)print \"\"; last=$3; print}' %s", names, layout, b, points)
+# the boundary points of these names, "BP1|meet", a block a curve
+curve(layout, b, names) = pick(sprintf("%s layout=%s b=%s 'name=%s' k_s!=inf blocks=curve smooth=k_s,c_d", points, layout, b, names))
 # the zero-shimmy intervals: 1 k_s, 2 c_lo, 3 c_hi, 4 width
-region(layout, b, file) = sprintf("< awk -v layout=%s -v b=%s -f scripts/chains.awk %s", layout, b, file)
+region(layout, b, file) = sprintf("< build/bin/mlg areas %s layout=%s b=%s", file, layout, b)
 set style line 11 lc rgb "#1f4fd8" lw 2   # BP1
 set style line 12 lc rgb "#2a9d5c" lw 2   # BP2_l, BP2_u
 set style line 13 lc rgb "#d62728" lw 2   # BP3

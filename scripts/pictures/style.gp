@@ -22,7 +22,10 @@ set tics nomirror out
 set format "%h" # without the leading blank of gnuplot's own, which shifts the labels
 set key noautotitle
 
-# Rows of a table, by `mlg pick`: "TABLE where=NAME=VALUE ...", and one of its values.
+# Rows of a table of results/, "fig09 panel=a k_s=1e6 blocks=curve", and one of its cells (mlg
+# help pick, mlg help cell).
 pick(words) = "< build/bin/mlg pick ".words
-value_of(words) = real(system("build/bin/mlg pick ".words))
-where(file, column, value) = pick(sprintf("%s 'where=%s=%s'", file, column, value))
+cell(words) = system("build/bin/mlg cell " . words)
+number(words) = real(cell("format=%.10e " . words)) # of "4e5" gnuplot makes none
+where(file, column, value) = pick(sprintf("%s '%s=%s'", file, column, value))
+value_of(words) = real(system("build/bin/mlg pick ".words)) # not of "4e5", see number

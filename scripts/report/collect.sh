@@ -3,29 +3,31 @@
 #   results/special_points.csv, boundary_points.csv and widths.csv
 # Where a figure has not been made in this tree its rows stay as they are.
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
+build build/bin/mlg
 alone results
+export MLG_USES=/dev/null # these tables are made of figures, no figure of them
 
-# collect FILE PART HEAD... -- KEY=FIGURE...: the head lines, then for each FIGURE
-# build/tables/PART.FIGURE.csv, or the rows of FILE whose first column matches KEY.
+# collect TABLE PART HEAD... -- VALUE[,VALUE...]=FIGURE...: the head lines, then for each
+# FIGURE build/tables/PART.FIGURE.csv, or the rows of TABLE whose first column is a VALUE.
 collect() {
-  local file=$1 part=$2 key=''
+  local file=results/$1.csv part=$2 column key value values
   shift 2
-  mkdir -p build/tables results
   {
-    while [ "$1" != -- ]; do echo "$1"; shift; done
+    while [ "$1" != -- ]; do echo "$1"; column=${1%%,*}; shift; done
     shift
     for key; do
       if [ -f "build/tables/$part.${key#*=}.csv" ]; then
         cat "build/tables/$part.${key#*=}.csv"
       elif [ -f "$file" ]; then
-        awk -F, -v key="^${key%%=*}$" '$1 ~ key' "$file"
+        IFS=, read -ra values <<< "${key%%=*}"
+        for value in "${values[@]}"; do mlg pick "$file" "$column=$value"; done
       fi
     done
   } > "$file.new"
   replace "$file"
 }
 
-collect results/special_points.csv points \
+collect special_points points \
   "# Special points of AUTO's runs. V m/s, c_d N m s/rad, k_s N m/rad (inf: rigid), b N m s^2/rad," \
   "# frequency_hz Hz, psi_max deg, dstar_max m (orbits only). type: HB Hopf, HH double Hopf, TR torus," \
   "# LP extremum of c_d along a Hopf curve (boundary point; figures 10 to 15: where a region is born or two meet)," \
@@ -33,17 +35,17 @@ collect results/special_points.csv points \
   figure,layout,run,type,V,c_d,k_s,b,frequency_hz,psi_max,dstar_max \
   -- 6=fig06 7=fig07 10=fig10 13=fig13 15=fig15
 
-collect results/boundary_points.csv boundary \
+collect boundary_points boundary \
   "# Boundary points over k_s: extrema of c_d along the Hopf curves of the (V, c_d) plane (models/boundary.h)." \
   "# b N m s^2/rad, k_s N m/rad (inf: rigid), c_d N m s/rad, V m/s. name: BP1 top of the low psi region, BP3 bottom" \
   "# of the high one, BP2_l and BP2_u bottom and top of a delta region, psi3 top of a third psi region, onset: birth" \
   "# of a delta region, meet: of two psi regions' meeting; type LP there. Every second point of AUTO's." \
   layout,b,curve,name,type,k_s,c_d,V,frequency_hz,extremum,shimmy \
-  -- l2=fig10 li1=fig13 li2=fig15 'li[345]=layouts'
+  -- l2=fig10 li1=fig13 li2=fig15 li3,li4,li5=layouts
 
-collect results/widths.csv widths \
+collect widths widths \
   "# The widest zero-shimmy interval over k_s: b N m s^2/rad, k_s N m/rad, c_lo to c_hi and width N m s/rad, V_lo and" \
   "# V_hi m/s at the bounds, lower and upper: which boundary point bounds it, limit: what ends its growth over k_s." \
   "# Between the multiples of 10 stand the b where limit or lower change hands; each interval is tested by Routh." \
   layout,b,k_s,c_lo,c_hi,width,V_lo,V_hi,lower,upper,limit \
-  -- li1=fig13 li2=fig15 'li[345]=layouts'
+  -- li1=fig13 li2=fig15 li3,li4,li5=layouts

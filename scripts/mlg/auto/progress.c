@@ -78,52 +78,43 @@ static long different_lines(char *text)
   return different;
 }
 
-/* Runs and seconds of the figures asked for, last time. */
-static void last_time(double *runs, double *seconds)
+/* How many runs the figures asked for took last time. */
+static double runs_last_time(void)
 {
   const char *asked = getenv("MLG_ASKED");
   struct text file = TEXT_NONE, text = TEXT_NONE, why = TEXT_NONE, list = TEXT_NONE;
+  double runs = 0.;
 
   text_add(&file, "%sresults/versions.csv", checkout());
   text_add(&list, " %s ", asked ? asked : "");
-  *runs = *seconds = 0.;
   if (read_file(file.at, &text, &why) == 0)
     for (char *t = strtok(text.at, "\n"); t; t = strtok(NULL, "\n")) {
       struct text word = TEXT_NONE;
-      double n, s;
 
       text_add(&word, " %.*s ", (int)strcspn(t, ","), t);
-      if (strstr(list.at, word.at) && sscanf(t + strcspn(t, ","), ",%lf,%lf", &n, &s) == 2)
-        *runs += n, *seconds += s;
+      if (t[strcspn(t, ",")] && strstr(list.at, word.at))
+        runs += strtod(t + strcspn(t, ",") + 1, NULL);
       text_free(&word);
     }
   text_free(&file);
   text_free(&text);
   text_free(&why);
   text_free(&list);
-}
-
-/* The N of make's -jN. */
-static double jobs(void)
-{
-  const char *flags = getenv("MAKEFLAGS"), *j = flags ? strstr(flags, "-j") : NULL;
-  const double n = j ? strtod(j + 2, NULL) : 1.;
-
-  return n > 0. ? n : (double)sysconf(_SC_NPROCESSORS_ONLN);
+  return runs;
 }
 
 static void print_progress(void)
 {
   char *file = passed_file();
   struct text text = TEXT_NONE, why = TEXT_NONE;
-  double runs, seconds, n, elapsed;
+  double runs, n, elapsed;
 
   if (file && read_file(file, &text, &why) == 0) {
     n = (double)different_lines(text.at);
     elapsed = difftime(time(NULL), (time_t)strtol(getenv("MLG_STARTED"), NULL, 10));
-    last_time(&runs, &seconds);
-    if (n <= runs)
-      printf("  [%.0f of %.0f runs, %.0f s of about %.0f s]", n, runs, elapsed, elapsed + seconds * (1. - n / runs) / jobs());
+    runs = runs_last_time();
+    if (n > 0. && n <= runs)
+      printf("  [%.0f of %.0f runs, %.0f s of about %.0f s]", n, runs, elapsed, elapsed * runs / n);
     else
       printf("  [%.0f runs, %.0f s]", n, elapsed);
   }

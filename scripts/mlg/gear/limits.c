@@ -22,6 +22,7 @@ struct node { double b; struct libmlg_widest w; };
 struct job {
   const char *command;
   struct arguments a;
+  double step;
   struct node node[MOST_NODES];
   int n;
   int first[MOST_NODES]; /* node that begins a stretch */
@@ -195,6 +196,8 @@ static const char *event_between(const struct libmlg_widest *w, const struct lib
   const int same_lo = is_near(&w->interval.lo, &next->interval.lo) || is_near(&w->third, &next->interval.lo)
                       || (next->limit == LIBMLG_EQUAL_LO && is_near(&w->interval.lo, &next->third));
 
+  if (fabs(next->k_s / w->k_s - 1.) > 1e-4)
+    return NULL;
   if (w->limit == LIBMLG_ONSET && next->limit == LIBMLG_EQUAL_LO && same_lo)
     return "gap";
   if (w->limit == LIBMLG_EQUAL_LO && next->limit == LIBMLG_STATIONARY && same_lo)
@@ -206,19 +209,65 @@ static const char *event_between(const struct libmlg_widest *w, const struct lib
   return NULL;
 }
 
+static double width_at(struct job *j, double b)
+{
+  return node_at(j, b).w.width;
+}
+
+/* The b inside a stretch at which the width is largest, or NaN: at an end.  Newton's method
+ * on differences, for the width is flat there. */
+static double peak_of(struct job *j, int first, int last)
+{
+  int top = first;
+
+  for (int i = first; i <= last; i++)
+    if (j->node[i].w.width > j->node[top].w.width)
+      top = i;
+  if (top == first || top == last)
+    return NAN;
+
+  const double left = j->node[top - 1].b, right = j->node[top + 1].b;
+  double b = j->node[top].b;
+
+  for (double h = 0.2 * fmin(b - left, right - b), i = 0; i < 6; i++) {
+    const double before = width_at(j, b - h), here = width_at(j, b), after = width_at(j, b + h);
+    const double step = 0.5 * h * (before - after) / (before - 2. * here + after);
+
+    b = fmax(left + h, fmin(right - h, b + step));
+    if (fabs(step) < 1e-4)
+      break;
+    h = fmax(0.02 * (right - left) * 0.2, fmin(h, fabs(step)));
+  }
+  return b;
+}
+
+/* Where a run of a stretch begins: at the first step of b inside, away from the event that
+ * begins it, where things move fast. */
+static const struct node *start_of(const struct job *j, int first, int last)
+{
+  for (int i = first; i <= last; i++)
+    if (fabs(j->node[i].b / j->step - round(j->node[i].b / j->step)) < 1e-9)
+      return &j->node[i];
+  return &j->node[first];
+}
+
 /* One run: NAME=VALUE words of `mlg run` behind the stretch's number, range and limit. */
 static void print_stretch(struct job *j, int number, int first, int last)
 {
-  const struct node *node = &j->node[first], *end = &j->node[last];
+  const struct node *node = start_of(j, first, last), *end = &j->node[last];
   const struct libmlg_widest *w = &node->w, *next = last + 1 < j->n ? &j->node[last + 1].w : NULL;
   const char *event = next ? event_between(&end->w, next) : "b";
+  const double peak = peak_of(j, first, last);
   const int with_rival = event && strcmp(event, "rival") == 0;
   struct libmlg_point lo = w->interval.lo, third = w->third;
   int i = 1;
 
   if (w->limit == LIBMLG_NO_INTERVAL || w->limit == LIBMLG_UNBOUNDED)
     return;
-  printf("%d,%.10g,%.10g,%s,", number, node->b, next ? j->node[last + 1].b : end->b, limit_name(w->limit));
+  printf("%d,%.10g,%.10g,%.10g,", number, j->node[first].b, next ? j->node[last + 1].b : end->b, node->b);
+  if (!isnan(peak))
+    printf("%.3f", peak);
+  printf(",%s,", limit_name(w->limit));
   if ((w->limit != LIBMLG_ONSET && w->limit != LIBMLG_EQUAL_LO && w->limit != LIBMLG_STATIONARY)
       || w->interval.lo.kind != LIBMLG_LARGEST || w->interval.hi.kind != LIBMLG_LEAST) {
     printf(",,\n"); /* none of the conditions of models/boundary.h */
@@ -242,11 +291,25 @@ static void print_stretch(struct job *j, int number, int first, int last)
   printf(", 'kappa': %.12g}\"\n", 1e5 / w->k_s);
 }
 
+/* Where another interval becomes the wider nothing passes zero, so the place has to be known
+ * better than that of another event. */
+static void sharpen(struct job *j)
+{
+  for (int i = 0; i + 1 < j->n; i++)
+    while (j->first[i + 1] && j->node[i].w.limit != LIBMLG_NO_INTERVAL
+           && j->node[i + 1].w.limit != LIBMLG_NO_INTERVAL && !event_between(&j->node[i].w, &j->node[i + 1].w)
+           && j->node[i + 1].b - j->node[i].b > 2e-4) {
+      const struct node middle = node_at(j, 0.5 * (j->node[i].b + j->node[i + 1].b));
+
+      j->node[goes_on(&j->node[i].w, &middle.w) ? i : i + 1] = middle;
+    }
+}
+
 static void print_stretches(struct job *j)
 {
   int number = 0;
 
-  printf("stretch,b_from,b_to,limit,constants,event,U\n");
+  printf("stretch,b_from,b_to,b_start,b_peak,limit,constants,event,U\n");
   for (int i = 0; i < j->n; i++)
     if (j->first[i]) {
       int last = i;
@@ -282,10 +345,12 @@ static int run(int argc, char *argv[])
     fail(argv[0], MLG_BAD_INPUT, "b_least = %g is not below b_most = %g N m s^2/rad", option[0].value, option[1].value);
   if ((option[1].value - option[0].value) / option[2].value > MOST_NODES / 2)
     refuse(argv[0], option[2].word ? option[2].word : option[1].word, "more than %d steps of b", MOST_NODES / 2);
+  j.step = option[2].value;
   find_nodes(&j, option[0].value, option[1].value, option[2].value, option[3].value);
-  if (stretches)
+  if (stretches) {
+    sharpen(&j);
     print_stretches(&j);
-  else
+  } else
     print_table(&j);
   return output_status(argv[0]);
 }
@@ -300,10 +365,10 @@ const struct command command_limits = {
     "V_lo, V_hi m/s; limit as in `mlg widest`.\n"
     "\n"
     "stretches: one row for each stretch with one limit instead, as a run of AUTO:\n"
-    "  stretch, b_from, b_to, limit\n"
+    "  stretch, b_from, b_to, b_start, limit; b_peak: where the width is largest inside\n"
     "  constants   boundary.width or boundary.rival; empty: AUTO has no condition for it\n"
     "  event       what passes zero where the stretch ends (models/boundary.h); wider: at b_to\n"
     "              another interval becomes the wider; b: at b_to the range ends\n"
-    "  U           the unknowns at b_from, as one word for `mlg run`\n",
+    "  U           the unknowns at b_start, as one word for `mlg run`\n",
   .run = run,
 };

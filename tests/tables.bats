@@ -1,0 +1,101 @@
+# tables.bats - mlg cell, pick, areas, fill: what is read out of the tables of results/
+#
+# Needs   build/bin/mlg
+# Writes  build/tests/tables
+
+bats_require_minimum_version 1.5.0
+load scratch
+
+setup_file() {
+  scratch tables
+  cat > "$SCRATCH/t.csv" <<'END'
+# a comment
+layout,b,k_s,c_lo,c_hi,width
+l1,0,1e5,1,9,8
+l1,0,2e5,1,9,8
+l1,0,2.001e5,1,4,3
+l1,0,2.001e5,6,9,3
+l1,10,inf,2,5,3
+l2,10,4e5,,,
+END
+}
+
+setup() {
+  cd "$SCRATCH" || return
+}
+
+is() { # TEXT WORD...: what mlg cell says
+  run -0 mlg cell "${@:2}"
+  [ "$output" = "$1" ] || { echo "$output" && return 1; }
+}
+
+refuses() { # STATUS LINE WORD...
+  run -"$1" --separate-stderr mlg "${@:3}"
+  # shellcheck disable=SC2154 # set by run
+  [ "$stderr" = "$2" ] || { echo "$stderr" && return 1; }
+}
+
+@test "a cell: the first row that fits, the n-th, the largest, the nearest, between two, all" {
+  is 8 ./t.csv width layout=l1
+  is 3 ./t.csv width k_s=200100
+  is 6 ./t.csv c_lo k_s=2.001e5 nth=2
+  is 10 ./t.csv b layout=l1 largest=k_s
+  is 1e5 ./t.csv k_s layout=l1 largest=width
+  is 2e5 ./t.csv k_s layout=l1 nearest:k_s=1.9e5
+  is 150000 ./t.csv k_s layout=l1 width=8 at:k_s=1.5e5
+  is '0, 10, 10' ./t.csv b 'k_s>=2.001e5' c_lo!=1 list
+  is '1e5 2e5 2.001e5' ./t.csv k_s b=0 each
+  is 1 ./t.csv count k_s=inf
+  is 3 ./t.csv count 'layout=l[12]' b%10=0 'width<8'
+}
+
+@test "cells may be reckoned with and compared" {
+  is 5 ./t.csv width layout=l1 - ./t.csv width k_s=inf
+  is 166.67 format=%.2f ./t.csv width layout=l1 over ./t.csv width k_s=inf
+  is yes ./t.csv count layout=l1 = 5 and ./t.csv width k_s=inf '<' 4
+  is no ./t.csv layout b=10 = l2
+  is 2 '(' ./t.csv width k_s=1e5 - 2 ')' / ./t.csv width k_s=inf
+}
+
+@test "what is not there, or wrong, ends with one line" {
+  refuses 1 'cell: MISSING(./t.csv b layout=l3)' cell ./t.csv b layout=l3
+  refuses 2 'cell: ./t.csv has no column c' cell ./t.csv c layout=l3
+  refuses 2 "cell: 'layout': expected COLUMN=VALUE or another condition" cell ./t.csv b layout
+  refuses 2 'cell: ./none.csv: No such file or directory' cell ./none.csv b
+  refuses 2 "pick: 'every=0': expected a whole number from 1 to 1000000" pick ./t.csv every=0
+  printf 'a,b\n1\n' > short.csv
+  refuses 2 'pick: ./short.csv:2: 1 cells, the table has 2 columns' pick ./short.csv
+  printf '{{./t.csv b layout=l3}}\n' > page.md
+  refuses 1 'fill: page.md:1: MISSING(./t.csv b layout=l3)' fill page.md
+}
+
+@test "rows: by text and number, columns in a format, blocks, every other one" {
+  diff <(mlg pick ./t.csv 'where=layout=l*' 'k_s<1e30' c_lo!= columns=k_s*1e-5:.3f,width blocks=c_hi head) - <<'END'
+k_s,width
+1.000,8
+2.000,8
+
+2.001,3
+
+2.001,3
+END
+  [ "$(mlg pick ./t.csv first=b columns=b,layout | tr '\n' ' ')" = '0,l1 10,l1 ' ]
+  [ "$(mlg pick ./t.csv every=2 columns=k_s | tr '\n' ' ')" = '1e5 2.001e5 inf ' ]
+}
+
+@test "a smooth curve passes its rows and, through a power law, everything between" {
+  awk 'BEGIN { print "x,y"; for (i = 0; i < 6; i++) printf "%.12g,%.12g\n", 2^i, 3 * 4^i }' > power.csv
+  mlg pick ./power.csv smooth=x,y | awk -F, '{ n++; if (($2 / (3 * $1^2) - 1)^2 > 1e-10) exit 1 } END { exit n != 46 }'
+}
+
+@test "areas: an interval that is divided goes on in one of its parts, the other begins" {
+  diff <(mlg areas ./t.csv layout=l1) - <<'END'
+1e5,1,9,8
+2e5,1,9,8
+2.001e5,1,4,3
+
+2.001e5,6,9,3
+
+END
+  [ "$(mlg areas ./t.csv layout=l1 bounds | grep -c '^$')" -eq 5 ] # the upper bound jumps
+}
