@@ -67,7 +67,7 @@ replace() { # FILE: by FILE.new, unless they are the same
 }
 
 # Notes a file that the figure hangs on and no command of mlg reads.
-use() { printf '%s\n' "$@" >> "$MLG_USES"; }
+use() { printf '%s\n' "$@" >> "${MLG_USES:-/dev/null}"; }
 
 # What takes minutes is not made again because mlg was linked anew.
 # made NAME FILE... -- COMMAND...: the output of COMMAND as build/tables/NAME.csv, made
