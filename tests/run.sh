@@ -30,7 +30,7 @@ readonly counts=build/tests/counts
 readonly took=build/tests/took # seconds of the last run of every test
 readonly alive=build/tests/alive # a pipe that is open as long as this runs
 # Those that take longest begin first, so that no processor waits for one in the end.
-readonly longest='runs new-runs boundary layouts verify failures'
+readonly longest='runs layouts boundary verify surroundings new-runs transients damping certify simulate scripts failures derivation'
 
 all_names() {
   local file name

@@ -152,10 +152,12 @@ committed() { # file: into committed/
 }
 
 @test "the committed curves are those of a fresh run" {
+  local table
   committed fig06.csv
   committed fig07.csv
-  awk -v KEYS=2 -f "$ROOT/tests/runs/compare.awk" committed/fig06.csv results/fig06.csv
-  awk -v KEYS=2 -f "$ROOT/tests/runs/compare.awk" committed/fig07.csv results/fig07.csv
+  for table in fig06.csv fig07.csv; do
+    cmp -s committed/$table results/$table || awk -v KEYS=2 -f "$ROOT/tests/runs/compare.awk" committed/$table results/$table
+  done
 }
 
 # Another libm, compiler or AUTO may round the last digit another way

@@ -130,3 +130,47 @@ tables_are_those_of_record() {
   MLG_BUILT=yes run -1 tests/run.sh model crit
   [[ $output == *'model: printed no test result, status 127'* ]]
 }
+
+# a tree in which build/tests/criticality is that script
+with_test() {
+  rm -rf tree
+  mkdir -p tree/build/tests
+  cp -r "$ROOT"/{scripts,models,tests} tree
+  printf '#!/bin/bash\necho 1..1\n%s\n' "$1" >tree/build/tests/criticality
+  chmod +x tree/build/tests/criticality
+}
+
+@test "two runs of the tests in one tree: the second waits for the first" {
+  local pid
+  with_test 'mkdir build/busy && sleep 0.5 && rmdir build/busy && echo ok 1 - alone || echo not ok 1 - beside another'
+  cd tree
+  tests/run.sh crit >one 2>&1 3>&- &
+  pid=$!
+  tests/run.sh crit >two 2>&1
+  wait $pid
+  [ "$(grep -h '^Tests: ' one two)" = $'Tests: 1 passed, 0 failed\nTests: 1 passed, 0 failed' ]
+  [ "$(grep -c 'waiting for another' one two | cut -d : -f 2 | paste -s -d +)" = 0+1 ] || grep -q 'waiting for another' one
+}
+
+@test "tests that are stopped or killed take what they had begun with them" {
+  local signal pid child
+  with_test 'sleep 600 & echo $! >build/child; wait'
+  cd tree
+  for signal in TERM KILL; do
+    rm -f build/child
+    tests/run.sh crit >one 2>&1 3>&- &
+    pid=$!
+    until [ -s build/child ]; do kill -0 $pid && sleep 0.02; done
+    child=$(<build/child)
+    kill -$signal $pid
+    run ! wait $pid
+    for _ in {1..100}; do
+      grep -q '^State:[[:space:]]*[^ZX]' "/proc/$child/status" 2>/dev/null || break
+      sleep 0.05
+    done
+    run ! grep -q '^State:[[:space:]]*[^ZX]' "/proc/$child/status"
+  done
+  # and the next is not kept waiting
+  printf '#!/bin/sh\necho 1..1\necho ok 1\n' >build/tests/criticality
+  run -0 timeout 20 tests/run.sh crit
+}
