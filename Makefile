@@ -22,7 +22,8 @@ export MLG_BUILT = yes
 
 # A layout is a models/ file that ends by including plugin.h.
 layouts := $(patsubst models/%.c,%,$(shell grep -l '^#include "plugin.h"' models/*.c))
-misnamed := $(shell printf '%s\n' $(layouts) | LC_ALL=C grep -vE '^[A-Za-z][A-Za-z0-9_]*$$')
+# by the shell alone: a name may be anything until it has been looked at
+misnamed := $(shell grep -l '^\#include "plugin.h"' models/*.c | sed 's|^models/||; s|\.c$$||' | LC_ALL=C grep -vE '^[A-Za-z][A-Za-z0-9_]*$$')
 ifneq ($(misnamed),)
 $(error models/$(firstword $(misnamed)).c: the name of a layout has letters, digits and _, a letter first)
 endif
@@ -60,7 +61,7 @@ setup: build/auto.mk ## packages and AUTO only
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
 need_test_packages := prove bench test% check-scripts verify build/bin/eigen-%
-auto_given := $(AUTO_DIR)
+export MLG_AUTO_GIVEN := $(value AUTO_DIR)
 ifneq ($(filter-out help clean distclean test check-fresh libmlg build/lib/% build/bin/mlg drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
 unexport AUTO_DIR
@@ -68,7 +69,7 @@ endif
 
 build/auto.mk: $(if $(MLG_SET_UP),,always)
 	@scripts/setup.sh $(if $(filter $(need_test_packages),$(goals)),test,figures)
-	@AUTO_DIR='$(auto_given)' scripts/auto/build-auto.sh
+	@AUTO_DIR="$$MLG_AUTO_GIVEN" scripts/auto/build-auto.sh
 
 # What a command makes has a name of its own until it is whole: neither a second
 # make in this tree nor an interrupted one leaves half a file behind.  What cannot be
