@@ -39,12 +39,16 @@ made_constants := $(filter-out $(patsubst constants/c.%,%,$(wildcard constants/c
 models += $(made_constants:%=build/constants/c.%)
 libraries := build/lib/libmlg.a build/lib/libmlg.so
 goals := $(or $(MAKECMDGOALS),figures)
+ifneq ($(if $(filter 0,$(MAKELEVEL)),$(filter-out help clean distclean,$(goals))),)
+$(shell scripts/auto/sound.sh)
+endif
 
 .PHONY: figures page check-pages models libmlg drawings test fuzz test-programs check-scripts setup bench clean distclean help always
 
 # those whose stamps no longer hold
 figures: $(models) drawings ## every figure and the table of paper against computed values
 	+@stale=$$(build/bin/mlg stamp fits $(figures)) || $(MAKE) --no-print-directory MLG_SET_UP=yes $$stale
+	@scripts/report/collect.sh
 	@scripts/report/targets.sh
 	@scripts/report/page.sh
 
@@ -74,7 +78,9 @@ build/auto.mk: $(if $(MLG_SET_UP),,always)
 # What a command makes has a name of its own until it is whole: neither a second
 # make in this tree nor an interrupted one leaves half a file behind.  What cannot be
 # made leaves no old one to be taken for it.
-whole = { $(1) -o $@.$$$$ && mv $@.$$$$ $@; } || { rm -f $@ $@.$$$$; false; }
+# Its sum stands beside it, by which scripts/auto/sound.sh finds what was damaged since.
+whole = { $(1) -o $@.$$$$ && mv $@.$$$$ $@ && $(noted); } || { rm -f $@ $@.$$$$; false; }
+noted = { md5sum $@ $(basename $@).d > $@.sum 2> /dev/null || true; }
 compiled = $(call whole,$(1) -MMD -MP -MT $@ -MF $(basename $@).d)
 
 # What is the same for every layout is compiled once: gear.c, and boundary.c.
@@ -117,7 +123,7 @@ define constants_rule
 build/constants/c.$(1): $(firstword $(wildcard constants/c.l2$(suffix $(1)) constants/c.l1$(suffix $(1)))) build/bin/mlg
 	@mkdir -p $$(@D)
 	@{ echo "# $$<, made one for layout $(basename $(1)) by the Makefile"; \
-	  build/bin/mlg constants $$< layout=$(basename $(1)); } > $$@.$$$$$$$$ && mv $$@.$$$$$$$$ $$@
+	  build/bin/mlg constants $$< layout=$(basename $(1)); } > $$@.$$$$$$$$ && mv $$@.$$$$$$$$ $$@ && $$(noted)
 endef
 $(foreach file,$(made_constants),$(eval $(call constants_rule,$(file))))
 
@@ -139,7 +145,7 @@ $(library_layouts): build/libmlg/layout-%.o: models/libmlg/layout.c models/%.c M
 
 build/lib/libmlg.a: $(library_parts) $(library_layouts) build/models/gear.o
 	@mkdir -p $(@D)
-	@$(AR) rcs $@.$$$$ $^ && mv $@.$$$$ $@
+	@$(AR) rcs $@.$$$$ $^ && mv $@.$$$$ $@ && $(noted)
 
 build/lib/libmlg.so: $(library_parts) $(library_layouts) build/models/gear.o
 	@mkdir -p $(@D)

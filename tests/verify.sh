@@ -65,5 +65,7 @@ if [ "$form" = full ] && [ "${#parts[@]}" -eq "${#all[@]}" ] && [ -z "${status:-
     echo "# where the tolerance names it."
     cat "$rows/table"; } > results/verification.csv.new
   mv results/verification.csv.new results/verification.csv
+  mkdir -p build/tables
+  md5sum results/verification.csv > build/tables/verification.csv.made
 fi
 exit "${status:-0}"

@@ -64,6 +64,12 @@ end_table() {
 replace() { # FILE: by FILE.new, unless they are the same
   use "$1"
   if cmp -s "$1.new" "$1"; then rm "$1.new"; else mv "$1.new" "$1"; fi
+  case $1 in results/*.csv) md5sum "$1" > "build/tables/$(basename "$1").made" ;; esac
+}
+
+# Whether a table of results/ is what was made here, or what git has; where it has none, yes.
+is_known() { # FILE
+  md5sum --check --status "build/tables/$(basename "$1").made" 2> /dev/null || git diff --quiet HEAD -- "$1" 2> /dev/null || [ $? -ne 1 ]
 }
 
 # Notes a file that the figure hangs on and no command of mlg reads.
@@ -111,8 +117,14 @@ paper_gear() { # LAYOUT
 # The figure's row of results/versions.csv: with what its runs were made.  It is written
 # with the table, so runs that find the same table leave it as it is.
 record() {
+  if cmp -s "$table.new" "$table" && has_version; then return; fi
+  write_version
+}
+
+has_version() { grep -qE "^$figure(,[^,]+){8}\$" results/versions.csv 2> /dev/null; }
+
+write_version() {
   local file=results/versions.csv runs
-  if cmp -s "$table.new" "$table" && grep -q "^$figure," "$file" 2> /dev/null; then return; fi
   exec 7> build/tables/versions.lock
   flock 7
   runs=$({ grep -lx "figure=$figure" build/runs/*/origin 2> /dev/null || true; } | wc -l)
@@ -120,7 +132,7 @@ record() {
     echo "# With what the runs of a figure were made when its table last changed."
     echo figure,runs,AUTO,cc,gfortran,libc,gnuplot,system,processor
     {
-      grep -v -e '^#' -e '^figure,' -e "^$figure," "$file" 2> /dev/null || true
+      grep -E '^[a-z0-9]+(,[^,]+){8}$' "$file" 2> /dev/null | grep -v -e '^figure,' -e "^$figure," || true
       echo "$figure,$runs,$(sed -n 's/^AUTO_VERSION = //p' build/auto.mk),$(cc -dumpfullversion),$(gfortran -dumpfullversion),$(
         getconf GNU_LIBC_VERSION),$(gnuplot --version | cut -d ' ' -f 2,4 | tr ' ' .),$(. /etc/os-release && echo "$NAME $VERSION_ID"),$(uname -m)"
     } | sort
