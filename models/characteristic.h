@@ -20,8 +20,6 @@
 
 #include "linearised.h"
 
-#define MLG_V_TOP 200. /* top of the operating range, m/s */
-
 /* F(s; V, c_d) = f[0][0] + f[1][0] V + f[0][1] c_d + f[1][1] V c_d */
 struct characteristic { struct poly f[2][2]; };
 
@@ -83,45 +81,6 @@ static inline struct jet jet(const struct characteristic *f, double _Complex s, 
     f10 + f11 * c,
     f01 + f11 * V,
   };
-}
-
-/* F at one (V, c_d) as a polynomial in s / (100 rad/s), which makes its coefficients
- * of like size; degree: without leading ones that are rounding. */
-static inline struct poly characteristic_polynomial(const struct characteristic *f, double V,
-                                                    double c, int *degree)
-{
-  struct poly p = poly_sum(poly_sum(f->f[0][0], poly_scaled(f->f[1][0], V)),
-                           poly_sum(poly_scaled(f->f[0][1], c), poly_scaled(f->f[1][1], V * c)));
-  double unit = 1., largest = 0.;
-
-  for (int i = 0; i < POLY_TERMS; i++, unit *= 100.)
-    largest = fmax(largest, fabs(p.coefficient[i] *= unit));
-  *degree = POLY_TERMS - 1;
-  while (*degree > 0 && fabs(p.coefficient[*degree]) <= 1e-14 * largest)
-    --*degree;
-  return p;
-}
-
-/* The two Hopf points at one frequency omega, rad/s: V = -(a + b c)/(g + d c) is
- * real, which is a quadratic in c_d.  There is none where D < 0. */
-struct hopf_pair { double D, c[2], V[2]; };
-
-static inline struct hopf_pair hopf_pair(const struct characteristic *f, double omega)
-{
-  const double _Complex s = omega * I;
-  const double _Complex a = poly_value(&f->f[0][0], s), b = poly_value(&f->f[0][1], s);
-  const double _Complex g = poly_value(&f->f[1][0], s), d = poly_value(&f->f[1][1], s);
-  const double q0 = cimag(a * conj(g)), q1 = cimag(a * conj(d) + b * conj(g)), q2 = cimag(b * conj(d));
-  struct hopf_pair p = { .D = q1 * q1 - 4. * q0 * q2 };
-  const double root = sqrt(fmax(p.D, 0.)); /* D < 0 by rounding at a fold in omega */
-  const int big = q1 < 0.;                 /* which one is safe from cancellation */
-  const double q = big ? -q1 + root : -q1 - root;
-
-  p.c[big] = q / (2. * q2);
-  p.c[!big] = 2. * q0 / q;
-  for (int k = 0; k < 2; k++)
-    p.V[k] = -creal((a + b * p.c[k]) / (g + d * p.c[k]));
-  return p;
 }
 
 /* Im(conj(F_s ray) F_x) vanishes where F_s ray domega + F_x dx = 0 with real

@@ -75,6 +75,7 @@
   X(36, F_Z,        "F_z",        "N",   "static load (M + m_D) g")
 
 #define MLG_PI 3.14159265358979323846
+#define MLG_V_TOP 200. /* top of the operating range, m/s, unless V_top says another */
 #define MLG_RIGID 1e30 /* a stiffness that does not give: its compliance is 0 to rounding */
 
 /* PAR_V, PAR_C_D, ...: indices into par[], C's counting of AUTO's slots. */

@@ -8,6 +8,7 @@
 # Expect: the widest interval over k_s at each b, 11244.1 N m s/rad at b = 140
 #         N m s^2/rad; the largest of all where the third psi region takes over
 #         from BP1 as the lower bound.
+# Widths: follow_widths of scripts/auto/boundary.sh, one run of AUTO a stretch of b.
 . "$(dirname "$(realpath "$0")")/auto/lib.sh"
 . scripts/auto/boundary.sh
 

@@ -292,12 +292,14 @@ column() {
 
 @test "AUTO's time and the size of its files are bounded, and the message says which" {
   cp build/models/l1.exe l1.exe
-  printf '#!/bin/sh\nsleep 30\n' >build/models/l1.exe
+  printf '#!/bin/sh\nwhile :; do :; done\n' >build/models/l1.exe
   MLG_TIME_LIMIT=1 says 1 'slow (*): AUTO had not ended after 1 s (MLG_TIME_LIMIT)' mlg run slow l1.straight
   printf '#!/bin/bash\nexec truncate -s 2G b.big\n' >build/models/l1.exe
-  says 1 "big (*): a file of AUTO's grew to 1024 MB, the most that is allowed" mlg run big l1.straight
+  says 1 "big (*): a file of AUTO's grew to 256 MB (MLG_SIZE_LIMIT)" mlg run big l1.straight
+  MLG_SIZE_LIMIT=2 says 1 "big (*): a file of AUTO's grew to 2 MB (MLG_SIZE_LIMIT)" mlg run big l1.straight
   cp l1.exe build/models/l1.exe
   rm -rf build/runs/big.part
+  MLG_SIZE_LIMIT=0 refuses "run: MLG_SIZE_LIMIT='0': *" mlg run slow l1.straight
   MLG_TIME_LIMIT=soon refuses "run: MLG_TIME_LIMIT='soon': *" mlg run slow l1.straight
 }
 

@@ -8,6 +8,7 @@ load scratch
 
 setup_file() {
   scratch surroundings
+  cp -rp "$ROOT/docs" .
   scripts/fig06.sh runs
 }
 
@@ -48,10 +49,6 @@ tables_are_those_of_record() {
   [ "$(cut -d , -f 3 slice.csv | grep -c HB)" -eq 2 ]
   scripts/curves.sh l1 plane >curves
   grep -q 'c_d from 2754.35[0-9]* to 3018.9[0-9]*' curves
-  # without the other tables their targets are missed, and nothing else
-  awk -f scripts/report/targets.awk results/special_points.csv results/fig06.csv tests/targets.csv >few
-  grep -q '^V-H1,.*,yes$' few
-  grep -q '^W-LI1.gain,.*,no$' few
 }
 
 @test "mawk" { as mawk && tables_are_those_of_record; }

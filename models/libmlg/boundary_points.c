@@ -1,5 +1,7 @@
 /* boundary_points.c - Hopf points, boundary points and intervals of libmlg.h
  *
+ * The points themselves come from crossing_extrema.c, the eigenvalue problem, and
+ * crossing_roots.c.
  * Between neighbouring values of c_d among all boundary points nothing changes: the
  * Hopf curves neither turn nor leave the range of V.  So one look inside each decides
  * it, and the number of crossings there must fit to what lies between: each extremum

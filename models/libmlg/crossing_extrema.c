@@ -1,5 +1,5 @@
-/* crossing_extrema.c - all extrema of c along the curves, from one eigenvalue problem; see
- * crossing.h */
+/* crossing_extrema.c - all boundary points, the extrema of c along the curves, from one
+ * eigenvalue problem; see crossing.h */
 #include <lapacke.h>
 #include <math.h>
 #include <string.h>

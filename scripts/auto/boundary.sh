@@ -48,7 +48,7 @@ follow_widths() { # LAYOUT [PREFIX]
   mlg limits "$layout" stretches tolerance=0.02 > "build/tables/stretches.$layout"
   : > "build/tables/widths.$layout"
   while IFS=, read -r number _ to at peak limit constants event start; do
-    [[ $number =~ ^[0-9]+$ ]] && [ -n "$constants" ] || continue
+    if ! [[ $number =~ ^[0-9]+$ ]] || [ -z "$constants" ]; then continue; fi
     start=${start#\"} start=${start%\"}
     settings=("$constants" model="$layout.boundary" "$start" b="$at")
     case $limit in

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # build-auto.sh - provide AUTO-07p and write down how to compile against it.
 #
-#   scripts/build-auto.sh                      build AUTO-07p 0.9.2 into build/auto
-#   AUTO_TARBALL=file scripts/build-auto.sh    the same from a tarball at hand
-#   AUTO_DIR=folder scripts/build-auto.sh      use the AUTO in that folder instead
+#   scripts/auto/build-auto.sh                  build AUTO-07p 0.9.2 into build/auto
+#   AUTO_TARBALL=file scripts/auto/build-auto.sh    the same from a tarball at hand
+#   AUTO_DIR=folder scripts/auto/build-auto.sh      use the AUTO in that folder instead
 #
 # The source is the upstream tarball of Debian's source package auto-07p,
 # fetched with the machine's own apt through private lists (no root, nothing

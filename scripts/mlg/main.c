@@ -13,21 +13,56 @@
 #include "arguments.h"
 #include "command.h"
 
-/* Each stands in scripts/mlg/NAME.c. */
-extern const struct command command_boundary, command_hopf, command_intervals, command_regions, command_widest, command_limits, command_curves;
-extern const struct command command_eigenvalues, command_damping, command_transients, command_criticality, command_simulate, command_search;
-extern const struct command command_draw, command_gear;
-extern const struct command command_constants, command_run, command_judge, command_table, command_rows, command_point, command_points, command_at, command_curve, command_stamp;
-extern const struct command command_orbit, command_shimmy, command_widths, command_starts, command_agree, command_crossing, command_peak;
-extern const struct command command_cell, command_pick, command_areas, command_targets, command_fill, command_embed, command_strip;
+/* In the order of `mlg help`, with the file of scripts/mlg/ that has it. */
+#define COMMANDS_OF_MLG(X) \
+  X(boundary)       /* gear/boundary.c */ \
+  X(hopf)           /* gear/boundary.c */ \
+  X(intervals)      /* gear/boundary.c */ \
+  X(regions)        /* gear/regions.c */ \
+  X(widest)         /* gear/regions.c */ \
+  X(limits)         /* gear/limits.c */ \
+  X(curves)         /* gear/curves.c */ \
+  X(eigenvalues)    /* gear/eigenvalues.c */ \
+  X(damping)        /* gear/damping.c */ \
+  X(transients)     /* gear/transients.c */ \
+  X(criticality)    /* gear/criticality.c */ \
+  X(simulate)       /* gear/simulate.c */ \
+  X(search)         /* gear/search.c */ \
+  X(draw)           /* gear/draw.c */ \
+  X(gear)           /* gear/gear.c */ \
+  X(constants)      /* auto/checking.c */ \
+  X(run)            /* auto/run.c */ \
+  X(judge)          /* auto/judging.c */ \
+  X(table)          /* auto/table.c */ \
+  X(rows)           /* auto/rows.c */ \
+  X(point)          /* auto/rows.c */ \
+  X(points)         /* auto/points.c */ \
+  X(shimmy)         /* auto/points.c */ \
+  X(at)             /* auto/along.c */ \
+  X(crossing)       /* auto/along.c */ \
+  X(peak)           /* auto/along.c */ \
+  X(orbit)          /* auto/orbit.c */ \
+  X(curve)          /* auto/hopfcurve.c */ \
+  X(widths)         /* auto/widths.c */ \
+  X(starts)         /* auto/starts.c */ \
+  X(agree)          /* auto/starts.c */ \
+  X(stamp)          /* auto/uses.c */ \
+  X(cell)           /* report/cell.c */ \
+  X(pick)           /* report/pick.c */ \
+  X(areas)          /* report/areas.c */ \
+  X(targets)        /* report/targets.c */ \
+  X(fill)           /* report/fill.c */ \
+  X(embed)          /* report/embed.c */ \
+  X(strip)          /* report/strip.c */
+
+#define X(name) extern const struct command command_##name;
+COMMANDS_OF_MLG(X)
+#undef X
 
 static const struct command *const commands[] = {
-  &command_boundary, &command_hopf, &command_intervals, &command_regions, &command_widest, &command_limits, &command_curves,
-  &command_eigenvalues, &command_damping, &command_transients, &command_criticality, &command_simulate, &command_search,
-  &command_draw, &command_gear,
-  &command_constants, &command_run, &command_judge, &command_table, &command_rows, &command_point, &command_points, &command_at, &command_curve, &command_stamp,
-  &command_orbit, &command_shimmy, &command_widths, &command_starts, &command_agree, &command_crossing, &command_peak,
-  &command_cell, &command_pick, &command_areas, &command_targets, &command_fill, &command_embed, &command_strip,
+#define X(name) &command_##name,
+  COMMANDS_OF_MLG(X)
+#undef X
 };
 
 enum { COMMANDS = sizeof commands / sizeof *commands };

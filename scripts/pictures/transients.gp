@@ -7,7 +7,7 @@ colours = "#000000 #1f4fd8 #2a9d5c #e08214"
 choice(i) = word(gears, i)[:strstrt(word(gears, i), ".") - 1]
 layout(i) = word(gears, i)[strstrt(word(gears, i), ".") + 1:*]
 rows(i, disturbance) = pick(sprintf("results/transients.csv where=choice=%s where=layout=%s where=disturbance=%s", choice(i), layout(i), disturbance))
-# at every second m/s: 1 V, 3 psi_max, 4 dstar_max
+# at every m/s: 1 V, 3 psi_max, 4 dstar_max
 peaks(i, disturbance) = where(sprintf("build/tables/transients.%s.peaks.csv", word(gears, i)), "disturbance", disturbance)
 zeta(i) = sprintf("build/tables/transients.%s.zeta.csv", word(gears, i))
 do for [i=1:4] { set style line 30+i lw 2 lc rgb word(colours, i) }

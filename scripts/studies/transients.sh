@@ -22,7 +22,7 @@ disturbed() { # CHOICE LAYOUT...
     gear=("$layout" c_d="$c_d" k_s="$k_s" b="$b")
     mapfile -t files < <(sources "$layout" models/libmlg/{integrate,best_ratio,crossing,damping,eigenvalues}.c scripts/mlg/gear/transients.c)
     made "$name" "${files[@]}" -- mlg transients "${gear[@]}"
-    made "$name.peaks" "${files[@]}" -- mlg transients "${gear[@]}" step=2 t_end=1
+    made "$name.peaks" "${files[@]}" -- mlg transients "${gear[@]}" step=1 t_end=1
     made "$name.zeta" "${files[@]}" scripts/mlg/gear/damping.c -- mlg damping "${gear[@]}" V=5:200:2000
   done
 }

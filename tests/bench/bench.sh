@@ -17,7 +17,7 @@
 # Writes  build/bench, nothing else
 # Exit    0; 1 if a comparison has other numbers than ours; 2 bad input
 # shellcheck disable=SC2317 # functions that compare calls
-. "$(dirname "$(realpath "$0")")/../../scripts/lib.sh"
+. "$(dirname "$(realpath "$0")")/../../scripts/auto/lib.sh"
 
 readonly pairs=${PAIRS:-11} long_pairs=${LONG_PAIRS:-3} bench=build/bench
 readonly first=496c6de # the first commit that makes all eight figures
@@ -56,15 +56,14 @@ agree() {
 }
 
 values() { # TYPE COLUMN FOLDER: of the points of a type
-  awk -v want="$1" -v name="$2" -f scripts/auto.awk -f <(printf '%s' 'type == want && point > 1 { printf "%.9g\n", value[name] }') \
-    "$bench/$3/d.run" "$bench/$3/b.run"
+  mlg rows "$bench/$3/run" columns="$2:.9g" only="$1"
 }
 
 # A folder in which auto_in runs a model again and again.
 prepare() { # FOLDER CONSTANTS FROM [KEY=VALUE ...]: FROM is such a folder, or -
   local folder=$bench/$1
   mkdir -p "$folder"
-  build/bin/constants "constants/c.$2" "${@:4}" > "$folder/fort.2"
+  mlg constants "constants/c.$2" "${@:4}" > "$folder/fort.2"
   echo "sv = 'run'" >> "$folder/fort.2"
   if [ "$3" != - ]; then
     cp "$bench/$3/s.run" "$folder/s.start"
@@ -214,7 +213,7 @@ part_growth() {
     cases=$(seq -s ' ' 400000 20000 $((380000 + n * 20000)))
     grown "Hopf curves of LI1, b = 70, number of k_s: $n" "cd $bench/ours && rm -rf build/runs &&
       for k_s in $cases; do scripts/curves.sh li1 k\$k_s k_s=\$k_s b=70; done"
-    grown "boundary points of LI1, number of b: $n" "cd $bench/ours && rm -rf build/runs && . scripts/lib.sh && . scripts/boundary.sh &&
+    grown "boundary points of LI1, number of b: $n" "cd $bench/ours && rm -rf build/runs && . scripts/auto/lib.sh && . scripts/auto/boundary.sh &&
       for b in $(seq -s ' ' 60 $((59 + n))); do boundary_curves li1 \$b; done"
   done
 }
@@ -281,8 +280,8 @@ part_python() {
   export OPENBLAS_NUM_THREADS=1
   python="$python tests/bench/map.py 400 400"
   compare "$long_pairs" "eigen-l1 map, 400 x 400 | numpy, the same" "build/bin/eigen-l1 map" "$python"
-  compare "$long_pairs" "curves-l1: every Hopf curve, extrema to rounding | numpy" "build/bin/curves-l1 k_s=1e30 b=0" "$python"
-  compare "$long_pairs" "scan-l1: zero-shimmy interval to rounding | numpy" "build/bin/scan-l1 intervals" "$python"
+  compare "$long_pairs" "mlg curves: every Hopf curve, extrema to rounding | numpy" "build/bin/mlg curves l1" "$python"
+  compare "$long_pairs" "mlg intervals: zero-shimmy interval to rounding | numpy" "build/bin/mlg intervals l1" "$python"
   build/bin/eigen-l1 map > "$bench/ours.values"
   $python > "$bench/other.values"
   cmp "$bench/ours.values" "$bench/other.values" || fail "bench: map.py differs from eigen-l1 map"

@@ -14,14 +14,34 @@
 #include <time.h>
 #include <unistd.h>
 
-static const rlim_t largest_file = (rlim_t)1 << 30; /* bytes */
+/* Of a variable that gives a whole number up to a million, or -1. */
+static long limit_of(const char *name, long otherwise)
+{
+  const char *given = getenv(name);
+  long value = otherwise;
+
+  return !given || !*given || whole_number(given, 1, 1000000, &value) ? value : -1;
+}
 
 long time_limit(void)
 {
-  const char *given = getenv("MLG_TIME_LIMIT");
-  long seconds = 600;
+  return limit_of("MLG_TIME_LIMIT", 600);
+}
 
-  return !given || !*given || whole_number(given, 1, 1000000, &seconds) ? seconds : -1;
+long size_limit(void)
+{
+  return limit_of("MLG_SIZE_LIMIT", 256);
+}
+
+/* No more than that of a resource; what is less already stays. */
+static void bound(int resource, rlim_t most)
+{
+  struct rlimit room;
+
+  if (getrlimit(resource, &room) == 0 && (room.rlim_cur == RLIM_INFINITY || room.rlim_cur > most)) {
+    room.rlim_cur = most;
+    setrlimit(resource, &room);
+  }
 }
 
 static int remove_one(const char *path, const struct stat *about, int kind, struct FTW *where)
@@ -38,16 +58,13 @@ int remove_folder(const char *folder)
 /* What the new process does; it does not come back. */
 static _Noreturn void become_model(const char *model, const char *folder, const sigset_t *signals, pid_t parent)
 {
-  struct rlimit room;
   int log;
 
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent)
     _exit(127);
-  if (getrlimit(RLIMIT_FSIZE, &room) == 0 && (room.rlim_cur == RLIM_INFINITY || room.rlim_cur > largest_file)) {
-    room.rlim_cur = largest_file;
-    setrlimit(RLIMIT_FSIZE, &room);
-  }
+  bound(RLIMIT_FSIZE, (rlim_t)size_limit() << 20);
+  bound(RLIMIT_CPU, (rlim_t)time_limit());
   sigprocmask(SIG_SETMASK, signals, NULL);
   if (chdir(folder) != 0 || (log = open("auto.log", O_WRONLY | O_CREAT | O_TRUNC, 0666)) < 0 || dup2(log, 1) < 0
       || dup2(log, 2) < 0)
@@ -85,7 +102,7 @@ int run_model(const char *model, const char *folder, struct text *why)
   sigaddset(&wanted, SIGHUP);
   sigprocmask(SIG_BLOCK, &wanted, &before);
   clock_gettime(CLOCK_MONOTONIC, &end);
-  end.tv_sec += limit;
+  end.tv_sec += 20 * limit; /* on a machine that hardly comes to it */
   child = whole ? fork() : -1;
   if (child == 0)
     become_model(whole, folder, &before, self);
@@ -118,6 +135,8 @@ int run_model(const char *model, const char *folder, struct text *why)
   }
   sigprocmask(SIG_SETMASK, &before, NULL);
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ)
-    text_add(why, "a file of AUTO's grew to %ld MB, the most that is allowed", (long)(largest_file >> 20));
+    text_add(why, "a file of AUTO's grew to %ld MB (MLG_SIZE_LIMIT)", size_limit());
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+    text_add(why, "AUTO had not ended after %ld s (MLG_TIME_LIMIT)", limit);
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }

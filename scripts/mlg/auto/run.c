@@ -95,6 +95,8 @@ static int read_words(struct request *r, int argc, char *argv[])
   }
   if (time_limit() < 0)
     return refuse("run: MLG_TIME_LIMIT='%s': expected a whole number of seconds from 1 to 1000000", getenv("MLG_TIME_LIMIT"));
+  if (size_limit() < 0)
+    return refuse("run: MLG_SIZE_LIMIT='%s': expected a whole number of MB from 1 to 1000000", getenv("MLG_SIZE_LIMIT"));
   return MLG_OK;
 }
 
@@ -271,7 +273,8 @@ const struct command command_run = {
   "Prints a line with the time taken and the points found when it made the run, nothing\n"
   "when it is up to date.  It is made anew when its constants, its model, its start, what\n"
   "is expected or AUTO's files changed.  A rejected run stays as NAME.part.\n"
-  "MLG_RUNS: another folder than build/runs.  MLG_TIME_LIMIT: seconds AUTO may take, 600.\n"
+  "MLG_RUNS: another folder than build/runs.  MLG_TIME_LIMIT, MLG_SIZE_LIMIT: seconds of\n"
+  "processor time AUTO may take, 600, and MB it may write in one file, 256.\n"
   "Status 1: the run failed, and why; 2: bad input.\n",
   run,
 };

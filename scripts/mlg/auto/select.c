@@ -196,22 +196,34 @@ static const char *shimmy(const struct run_data *data, int part, long point, str
   return af_value(p, point, dstar) / af_value(p, point, l) > af_value(p, point, psi) * MLG_PI / 180. ? "delta" : "psi";
 }
 
-/* The boundary point's name in the paper's Figure 10(a); - for any other. */
-static const char *paper_name(const struct run_data *data, int part, long point)
+const char *paper_name(const struct run_data *data, int part, long point, int i)
 {
-  const struct af_part *p = &data->all.part[part];
-  const int delta = af_value(p, point, af_column(p, "ratio_1")) > 1., low = af_value(p, point, af_column(p, "kind_1")) > 0.;
-  const double f = af_value(p, point, af_column(p, "f_1"));
+  static const char *const wanted[] = { "ratio", "kind", "f", "c" };
+  double value[4];
 
-  if (strcmp(point_type(&data->all, p, point), "LP") == 0)
-    return delta ? "onset" : "meet";
+  for (int k = 0; k < 4; k++) {
+    char name[32];
+
+    snprintf(name, sizeof name, "%s_%d", wanted[k], i);
+    value[k] = number_at(data, part, point, name);
+  }
+  const int delta = value[0] > 1., low = value[1] > 0.;
+
   if (delta)
     return low ? "BP2_l" : "BP2_u";
-  if (af_value(p, point, af_column(p, "c_1")) > 5e4)
+  if (value[3] > 5e4)
     return "-";
   if (low)
-    return f < 12. ? "BP3" : "-";
-  return f < 9. ? "BP1" : "psi3";
+    return value[2] < 12. ? "BP3" : "-";
+  return value[2] < 9. ? "BP1" : "psi3";
+}
+
+/* Of a run along k_s also where a region is born and where two meet. */
+static const char *name_along(const struct run_data *data, int part, long point)
+{
+  if (strcmp(point_type(&data->all, &data->all.part[part], point), "LP") == 0)
+    return number_at(data, part, point, "ratio_1") > 1. ? "onset" : "meet";
+  return paper_name(data, part, point, 1);
 }
 
 /* Which of its type, by IRS, a labelled point is; 0 for none. */
@@ -260,7 +272,7 @@ static int add_word(struct text *row, const struct choice *choice, const struct 
   } else if (strcmp(name, "extremum") == 0 && boundary)
     text_add(row, "%s", af_value(p, point, af_column(p, "kind_1")) > 0. ? "min" : "max");
   else if (strcmp(name, "bp") == 0 && boundary && af_column(p, "c_1") >= 0 && af_column(p, "f_1") >= 0)
-    text_add(row, "%s", paper_name(data, part, point));
+    text_add(row, "%s", name_along(data, part, point));
   else if (strcmp(name, "curve") == 0) {
     const char *from = data->files.name;
 

@@ -52,6 +52,11 @@ int read_condition(struct choice *choice, const char *text, struct text *why);
 /* Whether a column is there: one of AUTO's, or one that is made of these. */
 int has_column(const struct af_part *part, const char *name);
 
+/* What the paper's Figure 10(a) calls boundary point i of a run of models/boundary.h, by
+ * what oscillates, how fast and which extremum it is: BP1, BP2_l, BP2_u, BP3, psi3 for a
+ * third psi region; "-" for any other. */
+const char *paper_name(const struct run_data *data, int part, long point, int i);
+
 /* The value of a column that is a number, or NaN. */
 double number_at(const struct run_data *data, int part, long point, const char *name);
 

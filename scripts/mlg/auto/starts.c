@@ -98,18 +98,18 @@ static int run_starts(int argc, char *argv[])
 
 /* --- mlg agree ----------------------------------------------------------------------- */
 
-/* Relative difference of c_d between a point of AUTO's and the nearest exact one. */
-static double difference(const struct libmlg_point point[], int n, double c_d, double V)
+/* The c_d of the exact point nearest to that one; infinite: there is none. */
+static double nearest(const struct libmlg_point point[], int n, double c_d, double V)
 {
-  double least = INFINITY;
+  double best = INFINITY;
 
   for (int i = 0; i < n; i++)
-    if (fabs(point[i].V - V) < 1e-2 * (1. + V))
-      least = fmin(least, fabs(point[i].c_d / c_d - 1.));
-  return least;
+    if (fabs(point[i].V - V) < 1e-2 * (1. + V) && fabs(point[i].c_d - c_d) < fabs(best - c_d))
+      best = point[i].c_d;
+  return best;
 }
 
-/* |d log c_d / d log k_s| of the exact point there: AUTO's files give k_s with ten digits,
+/* |d log c_d / d log k_s| of the exact point c_d, V: AUTO's files give k_s with ten digits,
  * so that where c_d moves fast it is k_s in which the two can agree. */
 static double steepness(struct job *j, double k_s, double c_d, double V)
 {
@@ -123,7 +123,7 @@ static double steepness(struct job *j, double k_s, double c_d, double V)
   j->a.par[NUMBER_K_S] = k_s * (1. + step);
   n = libmlg_boundary_points(j->a.layout, j->a.par, 0., 0., 2. * V + 10., point, LIBMLG_MOST_POINTS);
   j->a.par[NUMBER_K_S] = k_s;
-  moved = difference(point, n, c_d, V);
+  moved = fabs(nearest(point, n, c_d, V) / c_d - 1.);
   return isfinite(moved) ? moved / step : 0.;
 }
 
@@ -198,8 +198,11 @@ static double compare_run(struct job *j, const struct run_data *run, double tole
         snprintf(V, sizeof V, "V_%d", k);
         if (k == 1 && (fabs(number_at(run, part, i, "fold")) < 1e-3 || number_at(run, part, i, "closing") == 0. || (points == 1 && strcmp(point_type(&run->all, p, i), "LP") == 0)))
           continue;
-        apart = difference(point, n, number_at(run, part, i, c), number_at(run, part, i, V))
-                / fmax(1., steepness(j, k_s, number_at(run, part, i, c), number_at(run, part, i, V)));
+        const double exact = nearest(point, n, number_at(run, part, i, c), number_at(run, part, i, V));
+
+        apart = fabs(exact / number_at(run, part, i, c) - 1.);
+        if (!(apart < tolerance) && isfinite(exact))
+          apart /= fmax(1., steepness(j, k_s, exact, number_at(run, part, i, V)));
         worst = fmax(worst, apart);
         (*compared)++;
         if (!(apart < tolerance))
@@ -260,6 +263,7 @@ const struct command command_agree = {
   .details =
     "RUNs of boundary.point, boundary.width or boundary.rival.  Status 1, and a line for each:\n"
     "a point that differs by more than the tolerance, relative, in c_d or where that moves\n"
-    "faster in k_s, from every exact boundary point; an interval at a labelled point in which there is shimmy.\n",
+    "faster in k_s, from every exact boundary point; an interval at a labelled point in which\n"
+    "there is shimmy.\n",
   .run = run_agree,
 };

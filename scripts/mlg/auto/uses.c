@@ -1,6 +1,7 @@
-/* uses.c - mlg stamp: with what a figure was made, and whether that still is so
+/* uses.c - mlg stamp: with what a figure was made, and whether that still is so (stamp.c: the
+ * same of a run)
  *
- * While MLG_USES names a file, every command of mlg adds to it the files that it read or
+ * While MLG_USES names a file that is there, every command of mlg adds to it the files that it read or
  * made (note_use).  `mlg stamp write` takes their sums at the end, `mlg stamp fits`
  * compares: a file that looks as it did is taken for the same, of another the sum decides.
  */
@@ -25,12 +26,14 @@ void note_use(const char *file)
 
   if (!journal || !*journal || !file || !*file)
     return;
-  to = open(journal, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
+  to = open(journal, O_WRONLY | O_APPEND | O_CLOEXEC);
   if (to < 0)
     return; /* without a stamp the figure is made again */
   text_add(&line, "%s\n", file);
-  if (write(to, line.at, line.length) < 0)
+  if (write(to, line.at, line.length) != (ssize_t)line.length) {
     perror(journal);
+    unlink(journal); /* half a list would be taken for all */
+  }
   close(to);
   text_free(&line);
 }
@@ -149,13 +152,20 @@ static int write_with_journal(const char *name, char *files[], int n)
   int status;
 
   memcpy(all, files, (size_t)n * sizeof *all);
-  if (journal && read_file(journal, &text, &why) == 0)
+  if (journal && *journal && read_file(journal, &text, &why) != 0)
+    n = 0;
+  else
     for (char *t = text.at, *next; t && (next = strchr(t, '\n')); t = next + 1) {
       *next = '\0';
       all = must_resize(all, (size_t)(n + 2) * sizeof *all);
       all[n++] = t;
     }
-  status = write_stamp(name, all, n);
+  if (n > 0)
+    status = write_stamp(name, all, n);
+  else {
+    fprintf(stderr, "stamp: %s: no files%s%s\n", name, why.length ? ": " : "", why.length ? why.at : "");
+    status = MLG_FAILED;
+  }
   free(all);
   text_free(&text);
   text_free(&why);

@@ -15,15 +15,6 @@ static double of_point(const struct run_data *data, long at, const char *what, i
   return number_at(data, 0, at, name);
 }
 
-static const char *name_of(const struct run_data *data, long at, int i)
-{
-  if (of_point(data, at, "ratio", i) > 1.)
-    return of_point(data, at, "kind", i) < 0. ? "BP2_u" : "BP2_l";
-  if (of_point(data, at, "kind", i) > 0.)
-    return "BP3";
-  return of_point(data, at, "f", i) < 9. ? "BP1" : "psi3";
-}
-
 /* By the parameter closing: what ends the growth of the width over k_s. */
 static const char *limit_of(double closing)
 {
@@ -40,7 +31,7 @@ static void add_row(struct text *out, const struct run_data *data, long at, cons
     n++;
   text_add(out, "%s%s%s,%.10g,%.10g,%.10g,%.8g,%.6g,%.6g,%s,%s,%s\n", prefix, *prefix ? "," : "", b, number_at(data, 0, at, "k_s"),
            of_point(data, at, "c", n - 1), of_point(data, at, "c", n), number_at(data, 0, at, "width"), of_point(data, at, "V", n - 1),
-           of_point(data, at, "V", n), name_of(data, at, n - 1), name_of(data, at, n), limit_of(number_at(data, 0, at, "closing")));
+           of_point(data, at, "V", n), paper_name(data, 0, at, n - 1), paper_name(data, 0, at, n), limit_of(number_at(data, 0, at, "closing")));
 }
 
 /* The points that AUTO labels: multiples of 10 of b, and where another limit takes over.

@@ -199,7 +199,7 @@ void begin_arguments(struct arguments *a, int argc, char *argv[], struct option 
   char known[LINE] = "";
   size_t n = 0;
 
-  *a = (struct arguments){ .command = argv[0], .V_top = 200., .option = option };
+  *a = (struct arguments){ .command = argv[0], .V_top = MLG_V_TOP, .option = option };
   libmlg_defaults(a->par);
   if (argc < 2)
     fail(argv[0], MLG_BAD_INPUT, "expected a layout; `mlg help %s` says more", argv[0]);

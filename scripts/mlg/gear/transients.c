@@ -120,14 +120,14 @@ static struct libmlg_mode mode_at(struct arguments *a, double V)
   return mode;
 }
 
-/* Where zeta is least between two speeds; NaN: at one of them. */
+/* Where zeta is least between two speeds; NaN: at one of them, to rounding. */
 static double worst_between(struct arguments *a, double V_lo, double V_hi)
 {
   struct libmlg_ratio least;
 
   if (libmlg_least_ratio(a->layout, a->par, V_lo, V_hi, &least) != 0)
     fail(name, MLG_FAILED, "no eigenvalues between V = %g and %g", V_lo, V_hi);
-  return least.V > V_lo && least.V < V_hi ? least.V : NAN;
+  return least.V > V_lo * (1. + 1e-9) && least.V < V_hi * (1. - 1e-9) ? least.V : (double)NAN;
 }
 
 enum { DPSI_0, DDELTA_0, T_END, STEP };
