@@ -64,12 +64,28 @@ end_table() {
 replace() { # FILE: by FILE.new, unless they are the same
   use "$1"
   if cmp -s "$1.new" "$1"; then rm "$1.new"; else mv "$1.new" "$1"; fi
-  case $1 in results/*.csv) md5sum "$1" > "build/tables/$(basename "$1").made" ;; esac
+  case $1 in results/*.csv) keep "$1" ;; esac
 }
 
-# Whether a table of results/ is what was made here, or what git has; where it has none, yes.
-is_known() { # FILE
-  md5sum --check --status "build/tables/$(basename "$1").made" 2> /dev/null || git diff --quiet HEAD -- "$1" 2> /dev/null || [ $? -ne 1 ]
+# keep FILE: a table of results/ as it was made, and its sum; is_known FILE: it is what was
+# made here, or what git has (where there is neither, any); put_back FILE: by the one kept.
+keep() {
+  local kept=build/tables/${1##*/}
+  cp "$1" "$kept.kept"
+  md5sum < "$1" > "$kept.sum"
+}
+
+is_known() {
+  local kept=build/tables/${1##*/}
+  [ "$(md5sum < "$1")" != "$(cat "$kept.sum" 2> /dev/null)" ] || return 0
+  if git ls-files --error-unmatch "$1" > /dev/null 2>&1; then git diff --quiet HEAD -- "$1"; else [ ! -e "$kept.sum" ]; fi
+}
+
+put_back() {
+  local kept=build/tables/${1##*/}
+  [ -e "$kept.kept" ] && [ "$(md5sum < "$kept.kept")" = "$(cat "$kept.sum" 2> /dev/null)" ] || return
+  cp "$kept.kept" "$1"
+  echo "  $1 is not what was made; it is put back" >&2
 }
 
 # Notes a file that the figure hangs on and no command of mlg reads.

@@ -14,10 +14,10 @@ export MLG_USES=/dev/null # these tables are made of figures, no figure of them
 collect() {
   local file=results/$1.csv part=$2 column key value values known=results/$1.csv
   shift 2
-  if ! is_known "$file"; then
+  if [ -f "$file" ] && ! is_known "$file" && ! put_back "$file"; then
     known=build/tables/$(basename "$file" .csv).committed.csv
-    git show "HEAD:./$file" > "$known"
-    echo "collect: $file is neither what was made here nor what is committed; made anew, with committed rows where it has to be" >&2
+    git show "HEAD:./$file" > "$known" 2> /dev/null || rm "$known"
+    echo "  $file is neither what was made here nor what is committed; it is made anew, from committed rows where it has to be" >&2
   fi
   {
     while [ "$1" != -- ]; do echo "$1"; column=${1%%,*}; shift; done
