@@ -22,7 +22,8 @@ export MLG_BUILT = yes
 
 # A layout is a models/ file that ends by including plugin.h.
 layouts := $(patsubst models/%.c,%,$(shell grep -l '^#include "plugin.h"' models/*.c))
-misnamed := $(shell printf '%s\n' $(layouts) | LC_ALL=C grep -vE '^[A-Za-z][A-Za-z0-9_]*$$')
+# by the shell alone: a name may be anything until it has been looked at
+misnamed := $(shell grep -l '^\#include "plugin.h"' models/*.c | sed 's|^models/||; s|\.c$$||' | LC_ALL=C grep -vE '^[A-Za-z][A-Za-z0-9_]*$$')
 ifneq ($(misnamed),)
 $(error models/$(firstword $(misnamed)).c: the name of a layout has letters, digits and _, a letter first)
 endif
@@ -38,12 +39,16 @@ made_constants := $(filter-out $(patsubst constants/c.%,%,$(wildcard constants/c
 models += $(made_constants:%=build/constants/c.%)
 libraries := build/lib/libmlg.a build/lib/libmlg.so
 goals := $(or $(MAKECMDGOALS),figures)
+ifneq ($(if $(filter 0,$(MAKELEVEL)),$(filter-out help clean distclean,$(goals))),)
+$(shell scripts/auto/sound.sh)
+endif
 
 .PHONY: figures page check-pages models libmlg drawings test fuzz test-programs check-scripts setup bench clean distclean help always
 
 # those whose stamps no longer hold
 figures: $(models) drawings ## every figure and the table of paper against computed values
 	+@stale=$$(build/bin/mlg stamp fits $(figures)) || $(MAKE) --no-print-directory MLG_SET_UP=yes $$stale
+	@scripts/report/collect.sh
 	@scripts/report/targets.sh
 	@scripts/report/page.sh
 
@@ -60,7 +65,7 @@ setup: build/auto.mk ## packages and AUTO only
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
 need_test_packages := prove bench test% check-scripts verify study-check build/bin/eigen-%
-auto_given := $(AUTO_DIR)
+export MLG_AUTO_GIVEN := $(value AUTO_DIR)
 ifneq ($(filter-out help clean distclean test check-fresh libmlg build/lib/% build/bin/mlg drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
 unexport AUTO_DIR
@@ -68,12 +73,14 @@ endif
 
 build/auto.mk: $(if $(MLG_SET_UP),,always)
 	@scripts/setup.sh $(if $(filter $(need_test_packages),$(goals)),test,figures)
-	@AUTO_DIR='$(auto_given)' scripts/auto/build-auto.sh
+	@AUTO_DIR="$$MLG_AUTO_GIVEN" scripts/auto/build-auto.sh
 
 # What a command makes has a name of its own until it is whole: neither a second
 # make in this tree nor an interrupted one leaves half a file behind.  What cannot be
 # made leaves no old one to be taken for it.
-whole = { $(1) -o $@.$$$$ && mv $@.$$$$ $@; } || { rm -f $@ $@.$$$$; false; }
+# Its sum stands beside it, by which scripts/auto/sound.sh finds what was damaged since.
+whole = { $(1) -o $@.$$$$ && mv $@.$$$$ $@ && $(noted); } || { rm -f $@ $@.$$$$; false; }
+noted = { md5sum $@ $(basename $@).d > $@.sum 2> /dev/null || true; }
 compiled = $(call whole,$(1) -MMD -MP -MT $@ -MF $(basename $@).d)
 
 # What is the same for every layout is compiled once: gear.c, and boundary.c.
@@ -108,7 +115,7 @@ define constants_rule
 build/constants/c.$(1): $(firstword $(wildcard constants/c.l2$(suffix $(1)) constants/c.l1$(suffix $(1)))) build/bin/mlg
 	@mkdir -p $$(@D)
 	@{ echo "# $$<, made one for layout $(basename $(1)) by the Makefile"; \
-	  build/bin/mlg constants $$< layout=$(basename $(1)); } > $$@.$$$$$$$$ && mv $$@.$$$$$$$$ $$@
+	  build/bin/mlg constants $$< layout=$(basename $(1)); } > $$@.$$$$$$$$ && mv $$@.$$$$$$$$ $$@ && $$(noted)
 endef
 $(foreach file,$(made_constants),$(eval $(call constants_rule,$(file))))
 
@@ -130,7 +137,7 @@ $(library_layouts): build/libmlg/layout-%.o: models/libmlg/layout.c models/%.c M
 
 build/lib/libmlg.a: $(library_parts) $(library_layouts) build/models/gear.o
 	@mkdir -p $(@D)
-	@$(AR) rcs $@.$$$$ $^ && mv $@.$$$$ $@
+	@$(AR) rcs $@.$$$$ $^ && mv $@.$$$$ $@ && $(noted)
 
 build/lib/libmlg.so: $(library_parts) $(library_layouts) build/models/gear.o
 	@mkdir -p $(@D)

@@ -47,21 +47,30 @@ say() {
   printf 'setup: %s\n' "$1" >&2
 }
 
+# Each prints nothing: status 0 it is there, 1 it is not, 3 it cannot be told, since what
+# was asked has failed in another way (too little memory, say).
 has_command() { # THING
-  command -v "$1"
+  command -v "$1" >/dev/null
 }
 
 # shellcheck disable=SC2086 # CC may have flags
 has_header() {
-  printf '#if !__has_include(<%s>)\n#error\n#endif\n' "$1" | ${CC:-gcc} -E -
+  [ -z "${CC:-}" ] || command -v ${CC%% *} >/dev/null || return 3
+  said ${CC:-gcc} -E - < <(printf '#if __has_include(<%s>)\nthere\n#else\nmissing\n#endif\n' "$1")
 }
 
 has_gnuplot() { # TERMINAL [GNUPLOT]
-  "${2:-gnuplot}" -d -e "set terminal $1"
+  said "${2:-gnuplot}" -d -e "set print '-'; print strstrt(' '.GPVAL_TERMINALS.' ', ' $1 ') ? 'there' : 'missing'"
 }
 
 has_python3() { # MODULE [PYTHON]
-  "${2:-python3}" -c "import importlib.util as u; raise SystemExit(u.find_spec('$1') is None)"
+  said "${2:-python3}" -c "import importlib.util as u; print('missing' if u.find_spec('$1') is None else 'there')"
+}
+
+said() { # COMMAND...: its last line is one of two words, or it cannot be told
+  local text status=0
+  text=$("$@" 2>/dev/null) || status=$?
+  case $status:${text##*$'\n'} in 0:there) return 0 ;; 0:missing | 127:*) return 1 ;; *) return 3 ;; esac
 }
 
 # asked JOB [HOW]: the rows of the table for that job
@@ -97,13 +106,19 @@ choose() { # JOB NAME: the tool of that name in build/tools
 }
 
 missing_packages() { # JOB
-  local how thing package
+  local how thing package status
   choose "$1" gnuplot
   choose "$1" python3
   # AUTO's own command takes python where there is one
   [ ! -e build/tools/python3 ] || ln -sf python3 build/tools/python
   while read -r how thing package _; do
-    "has_$how" "$thing" </dev/null >/dev/null 2>&1 || printf ' %s' "$package"
+    status=0
+    "has_$how" "$thing" </dev/null || status=$?
+    case $status in
+    0) ;;
+    1) printf ' %s' "$package" ;;
+    *) say "cannot tell whether $thing is there: ${how/header/${CC:-gcc}} fails; nothing was installed" && exit 1 ;;
+    esac
   done < <(asked "$1")
 }
 
@@ -122,7 +137,7 @@ apt() {
 # An update that misses one source of many may still do
 install_packages() {
   apt update || true
-  apt install --no-install-recommends "$@"
+  apt install --no-remove --no-install-recommends "$@"
 }
 
 main() {

@@ -375,3 +375,55 @@ hostile() {
     bash checkout/scripts/setup.sh test
   run -2 "$ROOT/scripts/setup.sh" nonsense
 }
+
+# only TOOL...: a bin of these alone, where an apt-get writes down what it is asked for
+only() {
+  local tool
+  mkdir bin
+  for tool in bash cat chmod dirname env ln mkdir mv realpath tail rm xargs "$@"; do
+    ln -s "$(command -v "$tool")" bin
+  done
+  printf '#!/bin/sh\necho 0\n' >bin/id
+  printf '#!/bin/sh\necho "$@" >>"%s"\n' "$PWD/asked" >bin/apt-get
+  chmod +x bin/id bin/apt-get
+}
+
+@test "apt-get is to take nothing away" {
+  checkout
+  only
+  PATH=$PWD/bin run -1 bash checkout/scripts/setup.sh
+  grep -q ' install --no-remove --no-install-recommends gcc ' asked
+}
+
+@test "a probe that fails in another way installs nothing" {
+  local tool
+  for tool in gcc gnuplot python3; do
+    rm -rf bin asked checkout
+    checkout
+    only awk make gfortran cmark-gfm gcc gnuplot python3
+    rm bin/$tool
+    printf '#!/bin/sh\necho "out of memory" >&2\nexit 1\n' >bin/$tool
+    chmod +x bin/$tool
+    PATH=$PWD/bin run -1 bash checkout/scripts/setup.sh test
+    # the one of /usr/bin is asked for what the first on the PATH lacks
+    [ $tool = gcc ] || { [[ $output == *'setup: installing '* ]] && continue; }
+    [[ $output == 'setup: cannot tell whether '*' is there: '*' fails; nothing was installed' ]]
+    [ ! -e asked ]
+  done
+  CC='nonesuch -O2' run -1 checkout/scripts/setup.sh
+  [ "$output" = 'setup: cannot tell whether stdlib.h is there: nonesuch -O2 fails; nothing was installed' ]
+}
+
+@test "an AUTO_DIR of signs that a shell or make reads is refused, and nothing of it runs" {
+  local name
+  checkout
+  cp -r "$ROOT"/{Makefile,models,constants} checkout
+  for name in "it's" 'a$(touch ran)' '`touch ran`' 'a;touch ran' 'a"b' 'a&b' 'a=b'; do
+    mkdir -p "$name/lib" "$name/include"
+    cp "$AUTO"/lib/*.o "$name/lib"
+    cp "$AUTO/include/auto_f2c.h" "$name/include"
+    AUTO_DIR=$PWD/$name run -2 make -C checkout --no-print-directory setup
+    [[ $output == *'build-auto: AUTO_DIR='*' is no path for make, give a link to it '* ]]
+    [ -z "$(find . -name ran)" ]
+  done
+}

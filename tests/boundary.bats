@@ -429,3 +429,14 @@ intervals() {
   scripts/curves.sh l2 island k_s=786525
   [ "$(awk -F, '$2 == "delta" && $3 == "LP"' build/tables/island.csv | wc -l)" -eq 2 ]
 }
+
+@test "the curves of boundary points of another gear are followed from its own" {
+  local gear=(k_psi=3.2e5 l=0.33 M=18000) curves
+  # shellcheck disable=SC2016 # for that shell
+  bash -c '. scripts/auto/lib.sh; . scripts/auto/boundary.sh; compliances="0 0.1"
+    mkdir -p build/tables; boundary_curves l2 0 UZR="{'"'compliance'"': [0.05]}" "$@"' bash "${gear[@]}" >/dev/null
+  mapfile -t curves <build/tables/curves.l2.b0
+  [ "${#curves[@]}" -ge 2 ]
+  mlg agree l2 "${gear[@]}" "${curves[@]}"
+  run -1 mlg agree l2 "${curves[@]}"
+}

@@ -88,6 +88,12 @@ as_written() {
   rm models/my-layout.c
   [[ $output == *"models/my-layout.c: the name of a layout has letters, digits and _, a letter first"* ]]
   [ "${#lines[@]}" -eq 1 ]
+  # nor is one executed that is a command
+  cp docs/examples/layout.c 'models/`touch ran`.c'
+  run -2 make models
+  rm 'models/`touch ran`.c'
+  [[ $output == *"the name of a layout has letters"* ]]
+  [ -z "$(find . -name ran)" ]
 }
 
 @test "no layout is longer than 40 lines without its comments" {

@@ -84,6 +84,16 @@ column() {
   [[ $output != *closed* ]]
 }
 
+@test "a torus curve ends where its orbit vanishes, and is not followed further" {
+  mlg run ts l1.torus_start from=psi -- EP=1
+  says 1 'torus (*): fell onto the zero solution at c_d = 31309.3*' mlg run torus l1.torus from=ts DS=-0.1
+  # in another parameter it came back over the same points
+  says 1 'torus (*): the curve runs back over itself from M = 19094.5, where the orbit vanishes*' \
+    mlg run torus l1.torus from=ts DS=-0.1 ICP="['M', 'V', 'period', 'torus_angle', 'psi_max']" \
+    THL="{'M': 1e-6, 'period': 0, 'torus_angle': 0}" UZSTOP="{'M': 1e5}"
+  mlg run torus l1.torus from=ts DS=0.1
+}
+
 ## Stability
 
 @test "the stability of cycles beside a multiplier of 1 is told by the branch, or not" {
@@ -93,6 +103,9 @@ column() {
   [ "$(mlg rows c columns=stable 'where=psi_max>0.02' 'where=psi_max<2.8' | sort -u)" = 0 ]
   [ -z "$(mlg point c LP columns=stable)" ]
   [ "$(mlg rows c columns=stable 'where=psi_max>3.0' 'where=psi_max<5' | sort -u)" = 1 ]
+  # without the multipliers there is nothing to tell it by
+  mlg run c li1.cycles from=s IRS="'HB1'" IID=0
+  [ -z "$(mlg rows c columns=stable | sort -u)" ]
 }
 
 @test "no stability and no claim where AUTO computed nothing" {
@@ -101,6 +114,7 @@ column() {
   mlg run l2s l2.straight k_s=1e6 c_d=1e4
   says 0 '*no special point looked for' mlg run l2h l2.hopf from=l2s IRS="'HB1'" NMX=100 -- EP=1
   says 1 '*expected 0 HB, but the run did not look for it*' mlg judge isp -- HB=0
+  says 0 '*no special point (not looked for: LP)' mlg run ilp l1.hopf from=straight IRS="'HB1'" ILP=0
   says 1 '*expected 0 TR, but*' mlg judge psi -- TR=0 || [[ $output == *'expected 0 TR, found 1'* ]]
 }
 

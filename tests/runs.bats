@@ -317,6 +317,56 @@ branches() {
   run -1 grep ' ms ' <<<"$output"
 }
 
+# damage KIND FILE
+damage() {
+  local size
+  size=$(stat -c %s "$2")
+  case $1 in
+  cut) truncate -s $((size * 2 / 3)) "$2" ;;
+  empty) : >"$2" ;;
+  zeros) dd if=/dev/zero of="$2" bs=1 seek=$((size / 2)) count=$((size / 8)) conv=notrunc status=none ;;
+  digit) sed -i "$(($(wc -l <"$2") * 2 / 3))y/123456789/234567891/" "$2" ;;
+  esac
+}
+
+@test "damage under build and results is made good" {
+  local kind file files=(
+    build/runs/fig06.a.psi/{b,s,c,d}.fig06.a.psi build/runs/fig06.b.straight/{stamp,origin} build/runs/fig09.b0.k1e6.1/b.fig09.b0.k1e6.1
+    build/runs/fig13.width.2/s.fig13.width.2 build/runs/fig06.c.straight/b.fig06.c.straight
+    build/tables/points.fig06.csv build/tables/widths.fig13.csv build/tables/fig09.b0.k3e6.curves build/stamps/fig06
+    results/fig06.csv results/fig09.csv results/special_points.csv results/boundary_points.csv results/widths.csv results/targets.csv
+    results/README.md build/results.html
+  )
+  local binary=(build/bin/mlg build/models/{l1,l2.boundary}.exe build/models/gear.o build/lib/libmlg.a build/mlg/auto/text.o results/fig06.png)
+  sha256sum build/bin/mlg build/models/*.exe build/lib/libmlg.a results/*.{csv,png,svg} build/tables/*.csv build/runs/*/[bsc].fig* >good.sums
+  for kind in cut zeros digit empty; do
+    for file in "${files[@]}"; do
+      cp -p "$file" before
+      damage $kind "$file"
+      run -1 cmp -s before "$file"
+    done
+    [ $kind = digit ] || for file in "${binary[@]}"; do damage $kind "$file"; done
+    run -0 made_by_make figures
+    [[ $output == *'fig06.a.psi: '?'.fig06.a.psi is not what AUTO wrote; it is made anew'* ]]
+    [ $kind = digit ] || [[ $output == *'build/bin/mlg is not what was built; it is made anew'* ]]
+    sha256sum --check --quiet good.sums
+  done
+}
+
+@test "what is only carried on and is not what is committed is refused" {
+  # shellcheck disable=SC2016 # for that shell
+  run -1 bash -c '. scripts/auto/lib.sh; git() { [ "$1" != diff ]; }; . scripts/report/summary.sh' scripts/report/summary.sh
+  [ "$output" = 'results/verification.csv is neither what was made here nor what is committed: make verify, or git checkout results/verification.csv' ]
+}
+
+@test "what a killed make or figure left goes" {
+  local gone=999999999
+  touch build/bin/mlg.$gone build/models/l1.exe.$gone build/stamps/fig06.$gone.uses build/bin/mlg.$$
+  made_by_make build/bin/mlg
+  [ -z "$(find build -name "*.$gone*")" ]
+  rm build/bin/mlg.$$
+}
+
 # slow NAME: a run of a second or two
 slow_run=(l1.periodic from=fig06.b.straight DSMAX=0.03 NMX=5000 -- closed=1)
 

@@ -13,11 +13,12 @@ compliances="0 0.02 0.05 0.1 0.15 0.2 0.25 0.3 0.34"
 
 # All curves of boundary points of one layout and b over the compliance, both ways from
 # every point that is on no curve yet.  build/tables/curves.LAYOUT.bB lists their runs.
-boundary_curves() { # LAYOUT B [KEY=VALUE ...]
-  local layout=$1 b=$2 compliance start way n=0 curves=()
+boundary_curves() { # LAYOUT B [gear=FILE] [KEY=VALUE ...]
+  local layout=$1 b=$2 compliance start way word n=0 curves=() gear=()
   shift 2
+  for word; do case $word in [A-Z][A-Z]*=*) ;; *) gear+=("$word") ;; esac; done # AUTO's constants are for AUTO alone
   for compliance in $compliances; do
-    while start=$(mlg starts "$layout" b="$b" compliance="$compliance" c_least=10 c_most=1e6 "${curves[@]}" | sed -n 1p) && [ -n "$start" ]; do
+    while start=$(mlg starts "$layout" b="$b" compliance="$compliance" "${gear[@]}" c_least=10 c_most=1e6 "${curves[@]}" | sed -n 1p) && [ -n "$start" ]; do
       n=$((n + 1))
       for way in up down; do
         [ "$way" = up ] || [ "$compliance" != 0 ] || continue

@@ -182,7 +182,8 @@ describe() { # folder: the lines of build/auto.mk
     fail 2 "AUTO_DIR=$dir holds no AUTO-07p that is built: no lib/main.o or no auto_f2c.h"
   fi
   case $dir in
-  *[[:space:]\$\#]*) fail 2 "AUTO_DIR=$dir is no path for make, give a link to it without blanks" ;;
+  *[[:space:]\$\#\'\"\`\\\;\&\|\<\>\(\)\*\?\[\]\{\}:%=]*)
+    fail 2 "AUTO_DIR=$dir is no path for make, give a link to it without blanks and signs of the shell" ;;
   esac
   fc=$(sed -n 's/^FC[[:space:]]*=[[:space:]]*//p' "$dir/cmds/cmds.make" 2>/dev/null || true)
   link="$dir/lib/*.o"

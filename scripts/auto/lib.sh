@@ -64,6 +64,28 @@ end_table() {
 replace() { # FILE: by FILE.new, unless they are the same
   use "$1"
   if cmp -s "$1.new" "$1"; then rm "$1.new"; else mv "$1.new" "$1"; fi
+  case $1 in results/*.csv) keep "$1" ;; esac
+}
+
+# keep FILE: a table of results/ as it was made, and its sum; is_known FILE: it is what was
+# made here, or what git has (where there is neither, any); put_back FILE: by the one kept.
+keep() {
+  local kept=build/tables/${1##*/}
+  cp "$1" "$kept.kept"
+  md5sum < "$1" > "$kept.sum"
+}
+
+is_known() {
+  local kept=build/tables/${1##*/}
+  [ "$(md5sum < "$1")" != "$(cat "$kept.sum" 2> /dev/null)" ] || return 0
+  if git ls-files --error-unmatch "$1" > /dev/null 2>&1; then git diff --quiet HEAD -- "$1"; else [ ! -e "$kept.sum" ]; fi
+}
+
+put_back() {
+  local kept=build/tables/${1##*/}
+  [ -e "$kept.kept" ] && [ "$(md5sum < "$kept.kept")" = "$(cat "$kept.sum" 2> /dev/null)" ] || return
+  cp "$kept.kept" "$1"
+  echo "  $1 is not what was made; it is put back" >&2
 }
 
 # Notes a file that the figure hangs on and no command of mlg reads.
@@ -111,8 +133,14 @@ paper_gear() { # LAYOUT
 # The figure's row of results/versions.csv: with what its runs were made.  It is written
 # with the table, so runs that find the same table leave it as it is.
 record() {
+  if cmp -s "$table.new" "$table" && has_version; then return; fi
+  write_version
+}
+
+has_version() { grep -qE "^$figure(,[^,]+){8}\$" results/versions.csv 2> /dev/null; }
+
+write_version() {
   local file=results/versions.csv runs
-  if cmp -s "$table.new" "$table" && grep -q "^$figure," "$file" 2> /dev/null; then return; fi
   exec 7> build/tables/versions.lock
   flock 7
   runs=$({ grep -lx "figure=$figure" build/runs/*/origin 2> /dev/null || true; } | wc -l)
@@ -120,7 +148,7 @@ record() {
     echo "# With what the runs of a figure were made when its table last changed."
     echo figure,runs,AUTO,cc,gfortran,libc,gnuplot,system,processor
     {
-      grep -v -e '^#' -e '^figure,' -e "^$figure," "$file" 2> /dev/null || true
+      grep -E '^[a-z0-9]+(,[^,]+){8}$' "$file" 2> /dev/null | grep -v -e '^figure,' -e "^$figure," || true
       echo "$figure,$runs,$(sed -n 's/^AUTO_VERSION = //p' build/auto.mk),$(cc -dumpfullversion),$(gfortran -dumpfullversion),$(
         getconf GNU_LIBC_VERSION),$(gnuplot --version | cut -d ' ' -f 2,4 | tr ' ' .),$(. /etc/os-release && echo "$NAME $VERSION_ID"),$(uname -m)"
     } | sort

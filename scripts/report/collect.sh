@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # Collects what the figures' scripts left in build/tables into
 #   results/special_points.csv, boundary_points.csv and widths.csv
-# Where a figure has not been made in this tree its rows stay as they are.
+# Where a figure has not been made in this tree its rows stay as they are; in a table that
+# is neither what was made here nor what is committed, those of the commit are taken.
+# Writes the row of versions.csv of a figure that lacks it.
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 build build/bin/mlg
 alone results
@@ -10,17 +12,22 @@ export MLG_USES=/dev/null # these tables are made of figures, no figure of them
 # collect TABLE PART HEAD... -- VALUE[,VALUE...]=FIGURE...: the head lines, then for each
 # FIGURE build/tables/PART.FIGURE.csv, or the rows of TABLE whose first column is a VALUE.
 collect() {
-  local file=results/$1.csv part=$2 column key value values
+  local file=results/$1.csv part=$2 column key value values known=results/$1.csv
   shift 2
+  if [ -f "$file" ] && ! is_known "$file" && ! put_back "$file"; then
+    known=build/tables/$(basename "$file" .csv).committed.csv
+    git show "HEAD:./$file" > "$known" 2> /dev/null || rm "$known"
+    echo "  $file is neither what was made here nor what is committed; it is made anew, from committed rows where it has to be" >&2
+  fi
   {
     while [ "$1" != -- ]; do echo "$1"; column=${1%%,*}; shift; done
     shift
     for key; do
       if [ -f "build/tables/$part.${key#*=}.csv" ]; then
         cat "build/tables/$part.${key#*=}.csv"
-      elif [ -f "$file" ]; then
+      elif [ -f "$known" ]; then
         IFS=, read -ra values <<< "${key%%=*}"
-        for value in "${values[@]}"; do mlg pick "$file" "$column=$value"; done
+        for value in "${values[@]}"; do mlg pick "$known" "$column=$value"; done
       fi
     done
   } > "$file.new"
@@ -49,3 +56,7 @@ collect widths widths \
   "# Between the multiples of 10 stand the b where limit or lower change hands; each interval is tested by Routh." \
   layout,b,k_s,c_lo,c_hi,width,V_lo,V_hi,lower,upper,limit \
   -- li1=fig13 li2=fig15 li3,li4,li5=layouts
+
+for figure in $(sed -n 's/^figures := //p' Makefile); do
+  [ ! -f "results/$figure.csv" ] || [ ! -f "build/stamps/$figure" ] || has_version || write_version
+done

@@ -118,8 +118,10 @@ int point_stability(const struct af_branches *all, const struct af_part *part, l
     return -1;
   if (part->constants.IID > 0 && all->has_d && p->stable_count < 0)
     return -1;
-  if (!is_orbits(part) || p->eigenvalues < 2)
+  if (!is_orbits(part))
     return p->stable;
+  if (p->eigenvalues < 2) /* AUTO's sign alone, which takes multipliers beside 1 for stable */
+    return -1;
   m = multipliers(all, p);
   if (m.outside > 0 || m.near == 0)
     return m.outside == 0;

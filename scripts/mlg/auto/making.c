@@ -252,7 +252,7 @@ int make_if_needed(const struct request *r)
   if (state == STAMP_NEW_JUDGE && passes_again(r, &stamp))
     state = STAMP_FITS;
   if (state == STAMP_DAMAGED)
-    printf("  %s: %s is not what AUTO wrote; it is made anew\n", r->name, what.at);
+    fprintf(stderr, "  %s: %s is not what AUTO wrote; it is made anew\n", r->name, what.at);
   note_passed(r->name);
   if (state != STAMP_FITS)
     status = make(r, &stamp);

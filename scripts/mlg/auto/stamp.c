@@ -7,7 +7,7 @@
 
 #include "sums.h"
 
-static const char *const kinds[STAMPED] = { "judge", "model", "start", "b", "d", "s", "c" };
+static const char *const kinds[STAMPED] = { "judge", "model", "start", "b", "d", "s", "c", "origin" };
 
 static char *joined(const char *folder, const char *kind, const char *name)
 {
@@ -32,8 +32,9 @@ void stamp_begin(struct stamp *stamp, const char *folder, const char *name, cons
   stamp->file[STAMP_JUDGE] = copy("/proc/self/exe"); /* this program */
   stamp->file[STAMP_MODEL] = copy(model);
   stamp->file[STAMP_START] = copy(start ? start : "");
-  for (int i = STAMP_B; i < STAMPED; i++)
+  for (int i = STAMP_B; i < STAMP_ORIGIN; i++)
     stamp->file[i] = joined(folder, kinds[i], name);
+  stamp->file[STAMP_ORIGIN] = joined(folder, "", kinds[STAMP_ORIGIN]);
 }
 
 void stamp_free(struct stamp *stamp)
@@ -135,7 +136,9 @@ enum stamp_state stamp_state(const struct stamp *stamp, const char *folder, stru
 
       if (i == STAMP_START && !*stamp->file[i])
         continue;
-      if (sum_in(&t, kinds[i], &sum) != 0)
+      if (i == STAMP_ORIGIN && !*t)
+        state = STAMP_NEW_JUDGE; /* of a version that did not look at it: once more, and stamped anew */
+      else if (sum_in(&t, kinds[i], &sum) != 0)
         state = STAMP_OTHER; /* of an earlier version, or garbled */
       else if (same_file(stamp, i, look[i], sum, &looked_new))
         continue;

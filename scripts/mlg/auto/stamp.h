@@ -1,7 +1,7 @@
 /* stamp.h - what a run was made of, and whether it still is that
  *
  * build/runs/NAME/stamp holds what the run was made of, text and sums of files, and the
- * sums of what AUTO wrote; build/runs/NAME/looks what a look at these files told
+ * sums of what AUTO wrote and of origin; build/runs/NAME/looks what a look at these files told
  * (size, time), so that a file is read again only when it looks different.
  */
 #ifndef MLG_STAMP_H
@@ -12,7 +12,7 @@
 #include "text.h"
 
 /* Files in the order in which they stand in the stamp. */
-enum stamped { STAMP_JUDGE, STAMP_MODEL, STAMP_START, STAMP_B, STAMP_D, STAMP_S, STAMP_C, STAMPED };
+enum stamped { STAMP_JUDGE, STAMP_MODEL, STAMP_START, STAMP_B, STAMP_D, STAMP_S, STAMP_C, STAMP_ORIGIN, STAMPED };
 
 enum stamp_state {
   STAMP_FITS,       /* nothing changed */
