@@ -198,8 +198,9 @@ static double compare_run(struct job *j, const struct run_data *run, double tole
         snprintf(V, sizeof V, "V_%d", k);
         if (k == 1 && (fabs(number_at(run, part, i, "fold")) < 1e-3 || number_at(run, part, i, "closing") == 0. || (points == 1 && strcmp(point_type(&run->all, p, i), "LP") == 0)))
           continue;
-        apart = difference(point, n, number_at(run, part, i, c), number_at(run, part, i, V))
-                / fmax(1., steepness(j, k_s, number_at(run, part, i, c), number_at(run, part, i, V)));
+        apart = difference(point, n, number_at(run, part, i, c), number_at(run, part, i, V));
+        if (!(apart <= worst && apart < tolerance)) /* else it does not matter, and takes as long as the rest */
+          apart /= fmax(1., steepness(j, k_s, number_at(run, part, i, c), number_at(run, part, i, V)));
         worst = fmax(worst, apart);
         (*compared)++;
         if (!(apart < tolerance))
