@@ -154,6 +154,9 @@ $(mlg_parts): build/mlg/%.o: scripts/mlg/%.c build/libmlg/layouts.h Makefile
 	@mkdir -p $(@D)
 	@$(call compiled,$(mlg_cc) $<)
 
+# but for the sums of all files behind a run
+build/mlg/auto/sums.o: mlg_cc += -O2
+
 # a tree of names, for which any optimisation is too much
 $(mlg_drawn): build/mlg/drawn-%.o: scripts/mlg/gear/drawn.c models/%.c Makefile
 	@mkdir -p $(@D)

@@ -358,14 +358,20 @@ int libmlg_intervals(int layout, const double par[], double zeta, double V_least
   return intervals;
 }
 
-void libmlg_points_and_intervals(int layout, const double par[], double zeta, double V_least, double V_top,
-                                 struct libmlg_point point[], int *points, struct libmlg_interval interval[], int *intervals)
+int libmlg_points_and_intervals(int layout, const double par[], double zeta, double V_least, double V_top,
+                                struct libmlg_point point[], int *points, struct libmlg_interval interval[], int *intervals)
 {
   struct problem p;
+  int status = is_range(V_least, V_top) ? problem(&p, layout, par, zeta) : LIBMLG_NONE;
 
-  *points = *intervals = problem(&p, layout, par, zeta);
-  if (*points == 0)
-    points_and_intervals(&p, V_least, V_top, point, MOST, points, interval, MOST, intervals);
+  *points = *intervals = 0;
+  if (status != 0)
+    return status;
+  points_and_intervals(&p, V_least, V_top, point, MOST, points, interval, MOST, intervals);
+  status = *points < 0 ? *points : 0;
+  if (status != 0)
+    *points = *intervals = 0;
+  return status;
 }
 
 double libmlg_damping_ratio(int layout, const double par[])

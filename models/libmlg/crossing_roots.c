@@ -10,8 +10,9 @@
 
 int crossing_companion(const double p[], int n, double re[], double im[])
 {
-  double H[4 * T * T] = { 0. };
+  double H[4 * T * T];
 
+  memset(H, 0, (size_t)(n * n) * sizeof *H);
   for (int i = 0; i < n; i++) {
     if (i > 0)
       H[(i - 1) * n + i] = 1.; /* column by column: below the diagonal */

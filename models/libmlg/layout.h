@@ -30,12 +30,6 @@ const struct libmlg_layout *libmlg_find(int layout);
 /* The slots of AUTO, from par[libmlg_parameters()]. */
 void libmlg_slots(const double par[], double slots[MLG_SLOTS]);
 
-/* libmlg_boundary_points() and libmlg_intervals() at once, up to LIBMLG_MOST_POINTS of
- * each; *points and *intervals are LIBMLG_NONE or LIBMLG_UNSURE where they return that. */
-void libmlg_points_and_intervals(int layout, const double par[], double zeta, double V_least, double V_top,
-                                 struct libmlg_point point[], int *points, struct libmlg_interval interval[],
-                                 int *intervals);
-
 /* The eigenvalues of libmlg_eigenvalues(), at slots; how many, or LIBMLG_FAILED. */
 int libmlg_spectrum(const struct libmlg_layout *l, const double slots[], double re[], double im[]);
 

@@ -249,6 +249,12 @@ int libmlg_boundary_points(int layout, const double par[], double zeta, double V
 int libmlg_intervals(int layout, const double par[], double zeta, double V_least, double V_top,
                      struct libmlg_interval interval[], int most);
 
+/* Both at once, in the time of one: *points and *intervals of them, all of which the arrays
+ * of LIBMLG_MOST_POINTS hold.  Returns 0, or what the two would, with neither. */
+int libmlg_points_and_intervals(int layout, const double par[], double zeta, double V_least, double V_top,
+                                struct libmlg_point point[], int *points, struct libmlg_interval interval[],
+                                int *intervals);
+
 /* Stability at the V and c_d of par[]: the least damping ratio of all eigenvalues, -1
  * with a positive real one; the tyres' difference, which decays at V/l, counts 1.
  * NaN: LAPACK failed, or no such layout. */

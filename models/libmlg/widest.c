@@ -46,8 +46,7 @@ static struct state state_at(struct search *s, double u)
   int points, intervals;
 
   s->par[s->k_s] = k_s_of(s, u);
-  libmlg_points_and_intervals(s->layout, s->par, s->zeta, s->V_least, s->V_top, point, &points, interval, &intervals);
-  if (points < 0 || intervals < 0) {
+  if (libmlg_points_and_intervals(s->layout, s->par, s->zeta, s->V_least, s->V_top, point, &points, interval, &intervals) != 0) {
     s->status = LIBMLG_UNSURE;
     here.signature = 1;
     return here;

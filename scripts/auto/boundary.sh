@@ -45,7 +45,7 @@ to_damping_ratio() { # RUN LAYOUT U ZETA [PARAMETER=VALUE ...]
 # report the multiples of 10, and where the width is largest.
 follow_widths() { # LAYOUT [PREFIX]
   local layout=$1 prefix=$figure.width.${2:-} number to at peak limit constants event start settings stop took_over=''
-  mlg limits "$layout" stretches tolerance=0.02 > "build/tables/stretches.$layout"
+  made "stretches.$layout" build/bin/mlg -- build/bin/mlg limits "$layout" stretches tolerance=0.02
   : > "build/tables/widths.$layout"
   while IFS=, read -r number _ to at peak limit constants event start; do
     if ! [[ $number =~ ^[0-9]+$ ]] || [ -z "$constants" ]; then continue; fi
@@ -69,7 +69,7 @@ follow_widths() { # LAYOUT [PREFIX]
     run "$prefix$number" "${settings[@]}" DS=0.001 UZSTOP="{$stop, 'width': 100.0}" \
       UZR="{'b': [$(seq -s ', ' 0 10 290)${peak:+, $peak}]}" --
     echo "$prefix$number" >> "build/tables/widths.$layout"
-  done < "build/tables/stretches.$layout"
+  done < "build/tables/stretches.$layout.csv"
 }
 
 # --- tables -------------------------------------------------------------------

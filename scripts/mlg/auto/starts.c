@@ -201,7 +201,7 @@ static double compare_run(struct job *j, const struct run_data *run, double tole
         const double exact = nearest(point, n, number_at(run, part, i, c), number_at(run, part, i, V));
 
         apart = fabs(exact / number_at(run, part, i, c) - 1.);
-        if (!(apart < tolerance) && isfinite(exact))
+        if (!(apart <= worst && apart < tolerance) && isfinite(exact))
           apart /= fmax(1., steepness(j, k_s, exact, number_at(run, part, i, V)));
         worst = fmax(worst, apart);
         (*compared)++;

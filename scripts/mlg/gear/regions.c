@@ -28,11 +28,11 @@ static int look_at(struct job *j, double compliance, struct region *r)
   r->compliance = compliance;
   r->extrema = 0;
   j->a.par[NUMBER_K_S] = compliance > 0. ? 1e5 / compliance : INFINITY;
-  n = libmlg_boundary_points(j->a.layout, j->a.par, 0., 0., j->a.V_top, point, LIBMLG_MOST_POINTS);
-  r->n = libmlg_intervals(j->a.layout, j->a.par, 0., 0., j->a.V_top, r->interval, LIBMLG_MOST_POINTS);
+  const int status = libmlg_points_and_intervals(j->a.layout, j->a.par, 0., 0., j->a.V_top, point, &n, r->interval, &r->n);
+
   for (int i = 0; i < n; i++)
     r->extrema += point[i].kind == LIBMLG_LEAST || point[i].kind == LIBMLG_LARGEST;
-  return n < 0 || r->n < 0 ? LIBMLG_UNSURE : 0;
+  return status;
 }
 
 static void region_at(struct job *j, double compliance, struct region *r)
