@@ -73,7 +73,7 @@ as_written() {
   as_written 'build/bin/mlg widest' >output
   near "$(sed -n '/^k_s,/{n;s/,.*//p}' output | head -n 1)" 1.99e6 2e-3 "k_s of the guide" # is that of the widest interval
   [ "$(grep -c ',LP,' build/tables/plane.csv)" -ge 2 ]
-  as_written 'bash'
+  as_written 'scripts/run.sh'
   [ -s build/runs/mine.shimmy/b.mine.shimmy ]
   as_written 'make drawings'
   grep -q 'c<tspan[^>]*>s<' docs/drawings/mine.svg
