@@ -57,6 +57,7 @@ collect widths widths \
   layout,b,k_s,c_lo,c_hi,width,V_lo,V_hi,lower,upper,limit \
   -- li1=fig13 li2=fig15 li3,li4,li5=layouts
 
-for figure in $(sed -n 's/^figures := //p' Makefile); do
+read -ra figures < <(sed -n 's/^figures := //p' Makefile)
+for figure in "${figures[@]}"; do
   [ ! -f "results/$figure.csv" ] || [ ! -f "build/stamps/$figure" ] || has_version || write_version
 done
