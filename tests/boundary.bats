@@ -101,7 +101,8 @@ words() {
       awk -F, -v k_s="$k_s" -v b="$b" '$4 == "max" || $4 == "min" { print $1, $2, k_s, b }' >>"all.$layout"
   done < <(cases 70)
   for layout in l1 l2 li1 li2 li3 li4 li5; do
-    are_folds "$layout" 1e-9 <"all.$layout"
+    # with Debian's plain LAPACK the eigenvalues give one of 3.8e6 N m s/rad to 1.3e-9 only
+    are_folds "$layout" 3e-9 <"all.$layout"
     n=$((n + $(wc -l <"all.$layout")))
   done
   echo "$n points"
@@ -436,7 +437,8 @@ intervals() {
   bash -c '. scripts/auto/lib.sh; . scripts/auto/boundary.sh; compliances="0 0.1"
     mkdir -p build/tables; boundary_curves l2 0 UZR="{'"'compliance'"': [0.05]}" "$@"' bash "${gear[@]}" >/dev/null
   mapfile -t curves <build/tables/curves.l2.b0
-  [ "${#curves[@]}" -ge 2 ]
+  [ -n "${curves[*]}" ]
+  [ -z "$(mlg starts l2 "${gear[@]}" compliance=0.1 c_least=10 c_most=1e6 "${curves[@]}")" ] # no point is on none of them
   mlg agree l2 "${gear[@]}" "${curves[@]}"
   run -1 mlg agree l2 "${curves[@]}"
 }

@@ -99,5 +99,5 @@ value() { # LAYOUT COLUMN of certify.csv
   local V c_d psi_max
   IFS=, read -r V c_d psi_max < <(of l1 cycles where=branch=V8.1 where=stable=1 where='psi_max>6' columns=V,c_d,psi_max)
   mlg simulate l1 orbit V="$V" c_d="$c_d" psi=0.1 >orbit.csv
-  near "$psi_max" "$(mlg pick orbit.csv columns=psi_max)" 1e-5 psi_max
+  near "$psi_max" "$(mlg pick ./orbit.csv columns=psi_max)" 1e-5 psi_max
 }

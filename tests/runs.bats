@@ -325,7 +325,7 @@ damage() {
   cut) truncate -s $((size * 2 / 3)) "$2" ;;
   empty) : >"$2" ;;
   zeros) dd if=/dev/zero of="$2" bs=1 seek=$((size / 2)) count=$((size / 8)) conv=notrunc status=none ;;
-  digit) sed -i "$(($(wc -l <"$2") * 2 / 3))y/123456789/234567891/" "$2" ;;
+  digit) sed -i "$(awk -v from="$(($(wc -l <"$2") * 2 / 3))" 'NR >= from && /[1-9]/ { print NR; exit }' "$2")y/123456789/234567891/" "$2" ;;
   esac
 }
 

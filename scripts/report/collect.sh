@@ -9,10 +9,16 @@ build build/bin/mlg
 alone results
 export MLG_USES=/dev/null # these tables are made of figures, no figure of them
 
+# is_whole PART COLUMNS: it is there, and each row has a cell for each of the columns; the
+# rows of a damaged one come when its figure has been made anew.
+is_whole() {
+  [ -f "$1" ] && awk -F, -v columns="$(tr -dc , <<< "$2" | wc -c)" 'NF != columns + 1 { exit 1 }' "$1" && [ -z "$(tail -c 1 "$1")" ]
+}
+
 # collect TABLE PART HEAD... -- VALUE[,VALUE...]=FIGURE...: the head lines, then for each
 # FIGURE build/tables/PART.FIGURE.csv, or the rows of TABLE whose first column is a VALUE.
 collect() {
-  local file=results/$1.csv part=$2 column key value values known=results/$1.csv
+  local file=results/$1.csv part=$2 columns column key value values known=results/$1.csv
   shift 2
   if [ -f "$file" ] && ! is_known "$file" && ! put_back "$file"; then
     known=build/tables/$(basename "$file" .csv).committed.csv
@@ -20,10 +26,10 @@ collect() {
     echo "  $file is neither what was made here nor what is committed; it is made anew, from committed rows where it has to be" >&2
   fi
   {
-    while [ "$1" != -- ]; do echo "$1"; column=${1%%,*}; shift; done
+    while [ "$1" != -- ]; do echo "$1"; columns=$1 column=${1%%,*}; shift; done
     shift
     for key; do
-      if [ -f "build/tables/$part.${key#*=}.csv" ]; then
+      if is_whole "build/tables/$part.${key#*=}.csv" "$columns"; then
         cat "build/tables/$part.${key#*=}.csv"
       elif [ -f "$known" ]; then
         IFS=, read -ra values <<< "${key%%=*}"
