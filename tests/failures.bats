@@ -319,6 +319,7 @@ full() {
   scripts/fig06.sh
   cp -r "$ROOT/docs" .
   cp "$ROOT"/results/*.{csv,png,gif} results
+  rm build/tables/*.{kept,sum} # they are those made here
   sed -i '$d' results/targets.csv # or it is left as it is
   sha256sum results/* build/tables/*.csv >kept.sums
   for kb in 2 8 32; do

@@ -25,7 +25,7 @@ END
 
 # picks LINES WORD...: the lines with / for their ends
 picks() {
-  run -0 --separate-stderr mlg pick table.csv "${@:2}"
+  run -0 --separate-stderr mlg pick ./table.csv "${@:2}"
   [ "$(tr '\n' / <<< "$output")" = "$1/" ] || { echo "$output" && return 1; }
 }
 
@@ -63,22 +63,22 @@ picks() {
   done <<'END'
 
 none.csv
-table.csv where=q=1
-table.csv where=V
-table.csv where=V<x
-table.csv where=V!3
-table.csv columns=q
-table.csv columns=V:6
-table.csv columns=V*x
-table.csv every=0
-table.csv table.csv
-table.csv what=1
+./table.csv where=q=1
+./table.csv where=V
+./table.csv where=V<x
+./table.csv where=V!3
+./table.csv columns=q
+./table.csv columns=V:6
+./table.csv columns=V*x
+./table.csv every=0
+./table.csv ./table.csv
+./table.csv what=1
 END
   echo a,LP,1 >> table.csv
-  run -2 --separate-stderr mlg pick table.csv
-  [ "$stderr" = 'pick: table.csv:7: a row of 3 cells under 5 names' ]
+  run -2 --separate-stderr mlg pick ./table.csv
+  [ "$stderr" = 'pick: ./table.csv:7: 3 cells, the table has 5 columns' ]
   : > table.csv
-  run -2 mlg pick table.csv
+  run -2 mlg pick ./table.csv
 }
 
 @test "what takes minutes is made again when its words, a file or the table changed" {
