@@ -65,7 +65,6 @@ picks() {
 none.csv
 ./table.csv where=q=1
 ./table.csv where=V
-./table.csv where=V<x
 ./table.csv where=V!3
 ./table.csv columns=q
 ./table.csv columns=V:6
