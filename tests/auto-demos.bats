@@ -418,6 +418,7 @@ only() {
   local name
   checkout
   cp -r "$ROOT"/{Makefile,models,constants} checkout
+  # shellcheck disable=SC2016 # names, not to be expanded
   for name in "it's" 'a$(touch ran)' '`touch ran`' 'a;touch ran' 'a"b' 'a&b' 'a=b'; do
     mkdir -p "$name/lib" "$name/include"
     cp "$AUTO"/lib/*.o "$name/lib"
