@@ -97,7 +97,8 @@ choose() { # JOB NAME: the tool of that name in build/tools
     case $tool in */build/tools/*) continue ;; esac # a choice made before
     if has_all "$1" "$2" "$tool"; then break; fi
   done < <(type -aP "$2"; echo "/usr/bin/$2")
-  if [ -n "$tool" ] && [ "$(tail -n 1 "build/tools/$2" 2>/dev/null)" != "$(printf 'exec %q "$@"' "$tool")" ]; then
+  tool=${tool:-/usr/bin/$2} # none has all: packages can complete this one alone
+  if [ "$(tail -n 1 "build/tools/$2" 2>/dev/null)" != "$(printf 'exec %q "$@"' "$tool")" ]; then
     mkdir -p build/tools
     printf '#!/bin/sh\nexec %q "$@"\n' "$tool" >"build/tools/$2.$$"
     chmod +x "build/tools/$2.$$"
