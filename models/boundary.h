@@ -26,13 +26,13 @@
 
 #include "characteristic.h"
 
-/* Parameters of this problem beside those of the gear: NPAR = 65. */
+/* Parameters of this problem beside those of the gear: NPAR = MLG_BOUNDARY_SLOTS. */
 enum boundary_slot {
   PAR_COMPLIANCE = 33 - 1, /* 1e5 / k_s, N m/rad */
   PAR_ZETA,                /* damping ratio on the boundary */
   PAR_CLOSING,             /* see above */
   PAR_WIDTH,               /* c_d of hi less that of lo, N m s/rad */
-  PAR_POINT = 41 - 1,      /* results of point 1, then of the others: */
+  PAR_POINT = 61 - 1,      /* results of point 1, then of the others: */
   POINT_V = 0,             /* V_i, m/s */
   POINT_C,                 /* c_i, c_d in N m s/rad */
   POINT_FREQUENCY,         /* f_i, Hz */
@@ -40,12 +40,14 @@ enum boundary_slot {
   POINT_KIND,              /* kind_i, 1: c_d is least, -1: largest */
   POINT_RESULTS,
   /* these pass 0 where another mechanism takes over: */
-  PAR_GAP = 61 - 1,        /* log10 of c_1 / c_lo */
+  PAR_GAP = 81 - 1,        /* log10 of c_1 / c_lo */
   PAR_RIVAL,               /* log10 of c_2 / c_lo, with four points */
   PAR_FOLD,                /* sine in the onset equation of point 1 */
   PAR_SLOPE,               /* d(c_hi - c_lo)/d(compliance), N m s/rad */
   PAR_SLOPE_1              /* d(c_hi - c_1)/d(compliance), N m s/rad */
 };
+
+_Static_assert(PAR_POINT >= (int)MLG_SLOTS && PAR_SLOPE_1 + 1 == (int)MLG_BOUNDARY_SLOTS, "the gear's slots stay");
 
 enum closing { ONSET, EQUAL, STATIONARY };
 
@@ -61,7 +63,7 @@ static struct boundary_point boundary_point(const double u[], int i)
 static struct characteristic characteristic_at(int ndim, const double u[], const double par[],
                                                double compliance)
 {
-  double p[36];
+  double p[MLG_SLOTS];
 
   memcpy(p, par, sizeof p);
   p[PAR_K_S] = 1e5 / compliance; /* infinite at 0, which spring() takes */
@@ -144,12 +146,14 @@ static void boundary_equations(int ndim, const double u[], const double par[], d
 }
 
 #include "auto_f2c.h"
+#include "room.h"
 
 /* AUTO's FUNC; derivatives are AUTO's differences (JAC=0). */
 int func(integer ndim, const doublereal *u, const integer *icp, const doublereal *par,
          integer ijac, doublereal *f, doublereal *dfdu, doublereal *dfdp)
 {
   (void)icp, (void)ijac, (void)dfdu, (void)dfdp;
+  need_room(MLG_BOUNDARY_SLOTS);
   boundary_equations(ndim, u, par, f);
   return 0;
 }
@@ -158,6 +162,7 @@ int func(integer ndim, const doublereal *u, const integer *icp, const doublereal
 int stpnt(integer ndim, doublereal t, doublereal *u, doublereal *par)
 {
   (void)ndim, (void)t, (void)u;
+  need_room(MLG_BOUNDARY_SLOTS);
   mlg_defaults(par);
   par[PAR_COMPLIANCE] = par[PAR_ZETA] = par[PAR_CLOSING] = par[PAR_WIDTH] = 0.;
   return 0;

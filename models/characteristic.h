@@ -45,7 +45,7 @@ static inline void gear_determinants(const double par[], double V, struct poly *
 static inline struct characteristic characteristic(const double par[])
 {
   const double V = 100., c_d = 1e4;
-  double p[36];
+  double p[MLG_SLOTS];
   struct characteristic F;
   struct network Z[2];
   struct poly whole[2], minor[2];

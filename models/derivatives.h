@@ -86,7 +86,7 @@ static inline void derivatives(const double par[], const double u[], const doubl
                                double dfdp[])
 {
   struct mlg_slopes E;
-  double p[36];
+  double p[MLG_SLOTS];
 
   mlg_slopes(par, u, f, dfdp != NULL, &E);
   const struct inverse m = inverse(&E);
@@ -123,7 +123,7 @@ static inline void derivatives(const double par[], const double u[], const doubl
  * device() is not what is said above. */
 static inline double derivatives_misfit(const double par[])
 {
-  double u[NDIM], f[NDIM], dfdu[NDIM * NDIM], dfdp[36 * NDIM], p[36], worst = 0.;
+  double u[NDIM], f[NDIM], dfdu[NDIM * NDIM], dfdp[MLG_SLOTS * NDIM], p[MLG_SLOTS], worst = 0.;
 
   memcpy(p, par, sizeof p);
   for (int i = 0; i < NDIM; i++)

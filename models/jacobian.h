@@ -55,7 +55,7 @@ static inline int mlg_of_gear(int slot)
 struct mlg_slopes {
   double dddelta[MLG_EQUATIONS], ddpsi[MLG_EQUATIONS];
   double state[GEAR_STATES][MLG_EQUATIONS];
-  double parameter[PAR_M + 1][MLG_EQUATIONS];
+  double parameter[MLG_SLOTS][MLG_EQUATIONS];
 };
 
 /* The strut and the bending part, without ground contact. */

@@ -30,7 +30,8 @@
 #include "network.h"
 
 /* Parameters: AUTO's PAR(slot).  Slots 10 to 14 belong to AUTO (PAR(11) is the
- * period, PAR(12) the torus angle).  The name is the one in parnames of every
+ * period, PAR(12) the torus angle).  Those above 36 have to be 0 by default, which
+ * is what AUTO takes for them from an older solution that has only 36.  The name is the one in parnames of every
  * constants file.  The value is the default; those of the gear are Table 1
  * with the two values its rounding hides (phi, M; docs/model.md), and
  * constants/gear.printed holds the two as printed.
@@ -74,6 +75,10 @@
   X(35, TORUS,      "torus",      "-",   "largest |mu| - 1 of the complex Floquet multipliers") \
   X(36, F_Z,        "F_z",        "N",   "static load (M + m_D) g")
 
+/* How long par[] is: AUTO's NPAR, which every constants file gives (AUTO itself has room
+ * for 36), and that of the problem of boundary.h. */
+enum { MLG_SLOTS = 55, MLG_BOUNDARY_SLOTS = 85 };
+
 #define MLG_PI 3.14159265358979323846
 #define MLG_V_TOP 200. /* top of the operating range, m/s, unless V_top says another */
 #define MLG_RIGID 1e30 /* a stiffness that does not give: its compliance is 0 to rounding */
@@ -88,6 +93,11 @@ enum mlg_slot {
 #undef X
   PAR_PERIOD = 11 - 1 /* AUTO's */
 };
+
+#define X(slot, ...) _Static_assert((slot) <= MLG_SLOTS, "par[] is long enough");
+MLG_PARAMETERS(X)
+MLG_RESULTS(X)
+#undef X
 
 /* A row of the table above; slot counts from 0, as in par[]. */
 struct mlg_parameter { int slot; const char *name, *unit; double least, most; };
@@ -133,7 +143,7 @@ static inline int mlg_in_range(const struct mlg_parameter *p, double value)
 
 enum mlg_state { MLG_GEAR_STATES(MLG_NUMBERED) GEAR_STATES };
 
-/* The verified parameters of the paper into par[36]; results and AUTO's slots
+/* The verified parameters of the paper into par[MLG_SLOTS]; results and AUTO's slots
  * are left alone. */
 static inline void mlg_defaults(double par[])
 {

@@ -41,6 +41,7 @@ static inline void right_hand_side(const double par[], const double u[], double 
 #ifndef MLG_NO_AUTO
 
 #include "auto_f2c.h"
+#include "room.h"
 
 /* AUTO's own: the monodromy matrix of the orbit at hand is -P1^-1 P0. */
 extern void getmdmx_(const integer *ndim, double *P0, double *P1, int *known);
@@ -74,7 +75,7 @@ static int usable(const double par[])
 static void refuse_misfit(void)
 {
   static int fits;
-  double par[36], misfit;
+  double par[MLG_SLOTS], misfit;
 
   if (fits)
     return;
@@ -99,6 +100,7 @@ int func(integer ndim, const doublereal *u, const integer *icp, const doublereal
          integer ijac, doublereal *f, doublereal *dfdu, doublereal *dfdp)
 {
   (void)icp;
+  need_room(MLG_SLOTS);
   if (usable(par)) {
     right_hand_side(par, u, f);
     if (ijac != 0) {
@@ -121,6 +123,7 @@ int func(integer ndim, const doublereal *u, const integer *icp, const doublereal
 int stpnt(integer ndim, doublereal t, doublereal *u, doublereal *par)
 {
   (void)t;
+  need_room(MLG_SLOTS);
   mlg_defaults(par);
   for (integer i = 0; i < ndim; i++)
     u[i] = 0.;

@@ -99,6 +99,51 @@ fails() {
   refuses_file "$(line ICP)" "ICP names no parameter*" "s/^ICP.*/ICP = []/"
 }
 
+@test "room for fewer parameters than the model has" {
+  refuses_file "$(line NMX)" "NPAR = 36 is too few; the model has parameters up to PAR(55)" 's/NPAR = 55/NPAR = 36/'
+  # where nothing is said the checker adds it
+  sed 's/, NPAR = [0-9]*//' constants/c.l1.straight >build/tmp/c.l1.few
+  run ! grep -q NPAR build/tmp/c.l1.few
+  mlg constants build/tmp/c.l1.few | grep -qx 'NPAR = 55'
+  auto_run roomy build/tmp/c.l1.few -- HB=4
+  cmp <(sed 1,19d build/runs/roomy/b.roomy) <(sed 1,19d build/runs/straight/b.straight)
+}
+
+@test "AUTO by itself without room for all parameters: the model ends at once" {
+  mkdir -p build/tmp/hand
+  sed 's/, NPAR = [0-9]*//' constants/c.l1.straight >build/tmp/hand/fort.2
+  cd build/tmp/hand
+  : >fort.3
+  run -2 ../../models/l1.exe
+  [[ $output == *"NPAR = 36: this model has parameters up to PAR(55); its constants file has to say NPAR = 55"* ]]
+  sed 's/NPAR = 85/NPAR = 84/' ../../../constants/c.boundary.point >fort.2
+  run -2 ../../models/l1.boundary.exe
+  [[ $output == *"NPAR = 84: this model has parameters up to PAR(85); its constants file has to say NPAR = 85"* ]]
+}
+
+@test "an older solution, with 36 parameters, starts a run" {
+  auto_run straight l1.straight -- HB=4
+  python3 - build/runs/straight/s.straight >build/tmp/s.old <<'EOF'
+import sys
+lines = open(sys.argv[1]).read().split('\n')[:-1]
+while lines:
+    head = lines[0].split()
+    rows, parameters = int(head[8]), int(head[11])
+    first = rows - (parameters + 6) // 7 + 1
+    head[8], head[11] = str(rows - 2), '36'
+    print(' '.join(head))
+    numbers = ' '.join(lines[first:rows + 1]).split()
+    print('\n'.join(lines[1:first]))
+    print('\n'.join(' '.join(numbers[k:k + 7]) for k in range(0, 36, 7)))
+    lines = lines[rows + 1:]
+EOF
+  mkdir -p build/tmp/old
+  cp constants/c.l1.periodic build/tmp/old/fort.2
+  cp build/tmp/s.old build/tmp/old/fort.3
+  (cd build/tmp/old && ../../models/l1.exe >auto.log)
+  cmp <(grep -v '^   0' build/tmp/old/fort.7) <(grep -v '^   0' build/runs/psi/b.psi)
+}
+
 @test "states that are not as many as NDIM" {
   refuses_file "$(line NDIM)" "NDIM = 8, but unames names 7 states" '/^NDIM/s/7/8/'
 }

@@ -11,8 +11,6 @@
 #include "libmlg.h"
 #include "mlg.h"
 
-enum { MLG_SLOTS = 36 };
-
 struct libmlg_layout {
   const char *name;
   int states;

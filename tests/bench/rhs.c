@@ -33,7 +33,7 @@ static double seconds(void)
 int main(int argc, char **argv)
 {
   const long calls = argc > 1 ? atol(argv[1]) : 2000000;
-  double par[36], u[STATES][NDIM], du[NDIM], sum = 0.;
+  double par[MLG_SLOTS], u[STATES][NDIM], du[NDIM], sum = 0.;
 
   if (calls <= 0) {
     fprintf(stderr, "rhs: CALLS = %s is not above 0\n", argv[1]);

@@ -137,7 +137,7 @@ static struct parameter *find_par(struct constants *c, const char *name)
 static void put_load(struct constants *c, const struct constants_use *use)
 {
   struct parameter *load = find_par(c, "F_z"), *mass = find_par(c, "M");
-  double F_z, par[36], value;
+  double F_z, par[MLG_SLOTS], value;
   char text[40];
 
   if (!load)
@@ -307,6 +307,21 @@ static void write_parameters(struct constants *c)
   set_dictionary(c, "PAR", &items, e ? e->line : 0, e ? e->source : OF_WORD);
 }
 
+/* NPAR, without which AUTO has room for 36 parameters and the models end at once. */
+static void give_room(struct constants *c, const struct constants_use *use)
+{
+  const struct entry *e = get_entry(&c->own, "NPAR");
+  const int slots = use && use->boundary ? MLG_BOUNDARY_SLOTS : MLG_SLOTS;
+  char number[16];
+  long given;
+
+  if (e && whole_number(e->value, 1, 9999, &given) && given < slots)
+    bad_input(c, c->file, e->line, "NPAR = %ld is too few; the model has parameters up to PAR(%d)", given, slots);
+  snprintf(number, sizeof number, "%d", slots);
+  if (!e)
+    set_entry(c, "NPAR", keep_text(c, number, strlen(number)), 0, OF_FILE);
+}
+
 int hand_over(const char *file, char *const words[], int n, const struct constants_use *use, struct text *out, struct text *why)
 {
   struct constants *c = must_allocate(sizeof *c);
@@ -328,6 +343,7 @@ int hand_over(const char *file, char *const words[], int n, const struct constan
     put_load(c, use);
     write_parameters(c);
     check_constants(c, use);
+    give_room(c, use);
     for (int i = 0; i < c->own.n; i++)
       text_add(out, "%s = %s\n", c->own.entry[i].key, c->own.entry[i].value);
   }

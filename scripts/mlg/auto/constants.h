@@ -4,7 +4,8 @@
  * name that parnames or unames lacks, a parameter under a wrong slot or outside its
  * range (models/mlg.h), one that the layout's device does not have, a value of a form
  * that AUTO does not read, or with which it would never end, give one line
- * "FILE:LINE: what, and what would be right", and nothing else.
+ * "FILE:LINE: what, and what would be right", and nothing else.  NPAR, room for the
+ * model's parameters, is added where the file does not give it.
  */
 #ifndef MLG_CONSTANTS_H
 #define MLG_CONSTANTS_H

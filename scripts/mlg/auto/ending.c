@@ -10,7 +10,7 @@
 #include "mlg.h"
 #include "branch.h"
 
-enum { SLOTS = 36, MOST_LAYOUTS = 64 };
+enum { MOST_LAYOUTS = 64 };
 
 /* Straight rolling near the end of the branch. */
 struct rolling {
@@ -31,7 +31,7 @@ static int slot_of(const struct af_part *part, const char *name)
   if (strncmp(name, "PAR(", 4) == 0 && strlen(name) < 9) {
     strcpy(number, name + 4);
     number[strcspn(number, ")")] = '\0';
-    if (whole_number(number, 1, SLOTS, &slot))
+    if (whole_number(number, 1, MLG_BOUNDARY_SLOTS, &slot))
       return (int)slot;
   }
   return 0;

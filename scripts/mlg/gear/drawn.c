@@ -47,7 +47,7 @@ static inline struct part series(struct part a, struct part b)
 
 static struct part device_drawn(void)
 {
-  const double par[36] = { 0. };
+  const double par[MLG_SLOTS] = { 0. };
 
   return device_network(par);
 }
