@@ -40,4 +40,8 @@ int libmlg_mode_near(const struct libmlg_layout *l, const double slots[], double
 int libmlg_normal_form(const struct libmlg_layout *l, const double slots[], double omega,
                        struct libmlg_mode *mode, double *a);
 
+/* libmlg_fifth_order() likewise. */
+int libmlg_fifth_order_of(const struct libmlg_layout *l, const double slots[], double omega, struct libmlg_mode *mode,
+                          double *a, double *a_5);
+
 #endif

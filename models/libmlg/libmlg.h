@@ -131,6 +131,12 @@ int libmlg_least_damped(int layout, const double par[], struct libmlg_mode *mode
  * Returns as libmlg_eigenvalues. */
 int libmlg_criticality(int layout, const double par[], double omega, struct libmlg_mode *mode, double *a);
 
+/* The same with the fifth order, r' = sigma r + *a r^3 + *a_5 r^5, which decides where *a is
+ * 0: unstable shimmy of the size r^2 = -*a / *a_5 beside stable gear, or a fold of cycles
+ * (Kuznetsov, Section 8.3).  *a_5 in 1/s per rad^4, meant at points where *a is small; good to
+ * 1e-8, *a to 1e-10 of its terms.  a_5 may be NULL.  Returns as libmlg_eigenvalues. */
+int libmlg_fifth_order(int layout, const double par[], double omega, struct libmlg_mode *mode, double *a, double *a_5);
+
 /* The amplitude equations beside a double Hopf point, of the modes nearest to i omega[0] and
  * i omega[1]: r_i' = r_i (sigma_i + a[i][0] r_0^2 + a[i][1] r_1^2), r_i the amplitude, rad, of
  * psi, or of delta where delta_over_psi > 1; a in 1/s per rad^2.  Kuznetsov, Section 8.6;
@@ -337,6 +343,24 @@ struct libmlg_curve {
 int libmlg_curves(int layout, const double par[], double zeta, const struct libmlg_plane *plane,
                   struct libmlg_curve **curves);
 void libmlg_free_curves(struct libmlg_curve *curves, int n);
+
+/* A generalised Hopf point: where *a of libmlg_criticality passes 0 along a Hopf curve.  There a
+ * fold of cycles begins, on the side on which a_slope (V - gh.V) and a_5 differ in sign, at
+ * c_d - c_Hopf(V) = (a_slope (V - gh.V))^2 / (4 a_5 growth_in_c_d) to leading order, with the
+ * amplitude r^2 = -a_slope (V - gh.V) / (2 a_5) of psi, rad^2. */
+struct libmlg_generalised_hopf {
+  double V, c_d;           /* m/s, N m s/rad */
+  struct libmlg_mode mode;
+  double a_5;              /* 1/s per rad^4 */
+  double a_slope;          /* da/dV along the curve, 1/s per rad^2 and m/s */
+  double growth_in_c_d;    /* d(re)/d(c_d), 1/s per N m s/rad */
+};
+
+/* All of them on the Hopf curves of the plane, in the order of libmlg_curves, the first `most`
+ * of them into gh[].  a is sampled at the points of the curves, and between them where it
+ * bends so much that it may reach 0.  Returns their number, or as libmlg_curves. */
+int libmlg_generalised_hopf(int layout, const double par[], const struct libmlg_plane *plane,
+                            struct libmlg_generalised_hopf gh[], int most);
 
 #if defined __GNUC__
 #pragma GCC visibility pop

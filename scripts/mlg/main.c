@@ -30,6 +30,7 @@
   X(transients)     /* gear/transients.c */ \
   X(criticality)    /* gear/criticality.c */ \
   X(unfolding)      /* gear/unfolding.c */ \
+  X(generalised)    /* gear/generalised.c */ \
   X(simulate)       /* gear/simulate.c */ \
   X(search)         /* gear/search.c */ \
   X(draw)           /* gear/draw.c */ \
