@@ -15,13 +15,13 @@
 # shellcheck disable=SC2119 # all
 build
 
-columns=layout,type,V,c_d,k_s,b,frequency_hz,psi_max,tolerance,parameters,run
+columns=layout,type,V,c_d,k_s,b,frequency_hz,psi_max,a_5,tolerance,parameters,run
 
 if [ "${1:-}" = record ]; then
   shift
   [ $# -gt 0 ] || fail "usage: scripts/check.sh record RUN... > FILE" 2
   rows=$(for run; do record_run "$run" || exit; done) || exit
-  printf '%s\n' "# Known points, for scripts/check.sh. V m/s, c_d N m s/rad, k_s N m/rad, b N m s^2/rad, psi_max deg;" \
+  printf '%s\n' "# Known points, for scripts/check.sh. V m/s, c_d N m s/rad, k_s N m/rad, b N m s^2/rad, psi_max deg; a_5 1/s per rad^4;" \
     "# tolerance relative; parameters: NAME=VALUE ..., those that differ from the defaults; run: where it comes from." \
     "$columns" "$rows"
   exit
@@ -35,7 +35,7 @@ rm -rf "$MLG_RUNS"
 mkdir -p "$MLG_RUNS"
 failed=0 passed=0 number=0
 printf '%-44s %-8s %14s %14s %14s %8s\n' point value expected AUTO exact off
-while IFS=, read -r layout type V c_d k_s b frequency psi_max tolerance parameters _; do
+while IFS=, read -r layout type V c_d k_s b frequency psi_max a_5 tolerance parameters _; do
   number=$((number + 1))
   check_row
 done < <(grep -v '^#' "$file" | sed 1d)

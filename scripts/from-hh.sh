@@ -58,7 +58,8 @@ while IFS=, read -r mode frequency oscillation _ _ _ _ _ torus_V torus_c_d _ _ V
   read -r step stop < <(awk -v V="$V" -v H="$V_hopf" -v angle="$angle" -v f="$frequency" 'BEGIN {
     pi = atan2(0, -1); printf "%.3g %.10g\n", 0.3 * angle * pi / 180 * 2 * pi * f, H + 1.5 * (V - H) }')
   mlg run "$own.cycles" "$layout.periodic" from="$own.straight" DS="$step" DSMAX="$step" UZR="{'torus': [-1e-5, 2e-5]}" \
-    UZSTOP="{'V': $stop}" -- TR=1 > /dev/null || exit
+    UZSTOP="{'V': $stop}" -- TR=1 > /dev/null ||
+    fail "from-hh: at angle=$angle AUTO has no torus point where the normal form has one: a larger one lies clear of AUTO's tolerance, 1e-5 of the unit circle, a smaller one nearer"
   size=psi_max unit=deg
   [ "${oscillation%%[12]}" = psi ] || size=dstar_max unit=m
   read -r found amplitude psi lever < <(mlg rows "$own.cycles" only=TR columns=V:.8g,$size:.6g,psi_max:.6g,l_delta | tr , ' ')
@@ -67,6 +68,7 @@ while IFS=, read -r mode frequency oscillation _ _ _ _ _ torus_V torus_c_d _ _ V
   run "$own.start" "$layout.torus_start" from="$own.cycles" DS=0.01 DSMAX=0.05 -- EP=1 > /dev/null
   # AUTO begins towards larger c_d
   if awk -v t="$torus_c_d" 'BEGIN { exit !(t > 0) }'; then to=- away=''; else to='' away=-; fi
-  run "$own.to" "$layout.torus" from="$own.start" DS="${to}0.01" DSMAX=0.1 UZSTOP="{'psi_max': $(awk -v p="$psi" 'BEGIN { print p / 5 }')}" -- UZ=1 > /dev/null
-  [ -z "$both" ] || run "$own.away" "$layout.torus" from="$own.start" DS="${away}0.01" UZSTOP="{'psi_max': $(awk -v p="$psi" 'BEGIN { print p / 5 }')}" -- UZ=1 > /dev/null
+  stop=$(awk -v p="$psi" 'BEGIN { print p / 5 }')
+  run "$own.to" "$layout.torus" from="$own.start" DS="${to}0.01" DSMAX=0.1 UZSTOP="{'psi_max': $stop}" -- UZ=1 > /dev/null
+  [ -z "$both" ] || run "$own.away" "$layout.torus" from="$own.start" DS="${away}0.01" DSMAX=0.3 NMX=2000 UZSTOP="{'psi_max': $stop}" -- UZ=1 > /dev/null
 done <<< "$unfolding"

@@ -77,7 +77,7 @@ some() {
 @test "slips end with one line and status 2" {
   local row
   head -n 3 tests/points.csv > head.csv
-  for row in 'l9,HB,1,1,,,,,,,' 'l1,XX,1,1,,,,,,,' 'l1,HB,fast,1,,,,,,,' 'l1,HB,1,1,,,,,,h=tall,'; do
+  for row in 'l9,HB,1,1,,,,,,,,' 'l1,XX,1,1,,,,,,,,' 'l1,HB,fast,1,,,,,,,,' 'l1,HB,1,1,,,,,,,h=tall,'; do
     { cat head.csv && echo "$row"; } > slip.csv
     run -2 --separate-stderr scripts/check.sh slip.csv
     [[ $stderr == *"slip.csv: point 1"* ]]

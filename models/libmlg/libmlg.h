@@ -134,7 +134,7 @@ int libmlg_criticality(int layout, const double par[], double omega, struct libm
 /* The same with the fifth order, r' = sigma r + *a r^3 + *a_5 r^5, which decides where *a is
  * 0: unstable shimmy of the size r^2 = -*a / *a_5 beside stable gear, or a fold of cycles
  * (Kuznetsov, Section 8.3).  *a_5 in 1/s per rad^4, meant at points where *a is small; good to
- * 1e-8, *a to 1e-10 of its terms.  a_5 may be NULL.  Returns as libmlg_eigenvalues. */
+ * 1e-7, *a to 1e-9 of its terms.  a_5 may be NULL.  Returns as libmlg_eigenvalues. */
 int libmlg_fifth_order(int layout, const double par[], double omega, struct libmlg_mode *mode, double *a, double *a_5);
 
 /* The amplitude equations beside a double Hopf point, of the modes nearest to i omega[0] and

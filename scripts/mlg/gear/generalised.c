@@ -62,6 +62,6 @@ const struct command command_generalised = {
     "  fold_gap        c_d of the fold less that of the Hopf point at the same V, over (V - V_GH)^2,\n"
     "                  N m s/rad per (m/s)^2, to leading order\n"
     "  fold_psi2       square of the amplitude of psi at the fold over |V - V_GH|, deg^2 per m/s\n"
-    "V and c_d are good to 1e-8, a_5 to 1e-8 (docs/auto.md).\n",
+    "V is good to 1e-9, c_d to 1e-8, a_5 to 1e-7 (docs/auto.md).\n",
   .run = run,
 };
