@@ -15,7 +15,7 @@ setup_file() { scratch branches; }
 setup() { cd "$SCRATCH" || return; }
 
 @test "the torus curves of Figure 7 begin at its double Hopf point by one command, and reach the other" {
-  local torus V c_d _
+  local torus V c_d
   scripts/from-hh.sh l1 hh V=24.84 c_d=32040 both > found.csv
   [ "$(wc -l < found.csv)" -eq 3 ]
   # the torus points lie on the curves of record, between two of their points
@@ -36,10 +36,10 @@ setup() { cd "$SCRATCH" || return; }
   local V c_d angle
   while read -r V c_d; do
     for angle in 0.4 0.3 0.25; do
-      scripts/from-hh.sh l1 hh V=$V c_d=$c_d angle=$angle | sed "1d; s/^/$angle,/"
+      scripts/from-hh.sh l1 hh V="$V" c_d="$c_d" angle=$angle | sed "1d; s/^/$angle,/"
     done > points.csv
     [ "$(wc -l < points.csv)" -eq 6 ]
-    build/bin/mlg unfolding l1 V=$V c_d=$c_d > form.csv
+    build/bin/mlg unfolding l1 V="$V" c_d="$c_d" > form.csv
     # the slopes from the point, over the square of the angle, extrapolated to 0
     awk -F, 'FNR == 1 { for (k = 1; FILENAME == "form.csv" && k <= NF; k++) place[$k] = k; if (FILENAME == "form.csv") next }
       FILENAME == "form.csv" { slope[$place["angle"]] = $place["torus_dV_dc_d"]; V = $place["V"]; c = $place["c_d"]; next }
@@ -55,9 +55,9 @@ setup() { cd "$SCRATCH" || return; }
 }
 
 @test "LI1's fold of cycles begins at its generalised Hopf point by one command, where the fifth order says" {
-  local angle _ V c_Hopf predicted gap psi_predicted psi back V_end c_end ratios=''
+  local angle _ V predicted gap psi_predicted psi V_end c_end ratios=''
   for angle in 1 0.7; do
-    IFS=, read -r _ _ V c_Hopf predicted gap psi_predicted psi back V_end c_end \
+    IFS=, read -r _ _ V _ predicted gap psi_predicted psi _ V_end c_end \
       < <(scripts/from-gh.sh li1 gh V=0.716 c_d=526 k_s=6.38e5 b=140 angle=$angle | tail -n 1)
     near "$psi" "$psi_predicted" 2e-2 "psi at the fold"
     ratios+="$V $gap $predicted "
@@ -77,16 +77,16 @@ setup() { cd "$SCRATCH" || return; }
 }
 
 @test "generalised Hopf points are where AUTO's small cycles change sides, and none is invented" {
-  local V side
+  local V side c_d from to layout
   build/bin/mlg generalised li1 k_s=6.38e5 b=140 > gh.csv
   [ "$(wc -l < gh.csv)" -eq 3 ]
   # the first orbit beside a Hopf point between the two points is on the other side of it
   for V in 0.3 0.5 0.75; do
     c_d=$(build/bin/mlg hopf li1 V=$V k_s=6.38e5 b=140 | sed -n '3s/,.*//p')
-    auto_run gh.$V.start li1.straight k_s=6.38e5 b=140 V=$V c_d="$c_d" DS=1e-3 DSMAX=1e-3 ICP="['c_d', 'period', 'V', 'k_s', 'b']" \
-      UZSTOP="{'c_d': $(awk -v c="$c_d" 'BEGIN { print c + 0.05 }')}" PAR="{'c_d': $(awk -v c="$c_d" 'BEGIN { printf "%.10g", c - 0.05 }')}" -- HB=1 > /dev/null || return
-    auto_run gh.$V.cycles li1.cycles from=gh.$V.start EPSL=1e-10 EPSU=1e-10 UZSTOP="{'psi_max': 0.2}" DS=0.01 DSMAX=0.01 ILP=0 -- > /dev/null || return
-    side=$(awk -v c="$c_d" '$1 != 0 { last = $5 } END { print last > c ? "above" : "below" }' "build/runs/gh.$V.cycles/b.gh.$V.cycles")
+    read -r from to < <(awk -v V=$V 'BEGIN { print V - 0.001, V + 0.001 }')
+    auto_run gh.$V.start li1.straight k_s=6.38e5 b=140 c_d="$c_d" V="$from" DS=2.5e-4 DSMAX=2.5e-4 UZSTOP="{'V': $to}" -- HB=1 > /dev/null || return
+    auto_run gh.$V.cycles li1.cycles from=gh.$V.start EPSL=1e-10 EPSU=1e-10 UZSTOP="{'psi_max': 0.4}" DS=0.01 DSMAX=0.01 ILP=0 -- > /dev/null || return
+    side=$(awk -v c="$c_d" '$1 != 0 { last = $5 } END { print (last > c ? "above" : "below") }' "build/runs/gh.$V.cycles/b.gh.$V.cycles")
     echo "$V $side"
     case $V in 0.5) [ "$side" = above ] ;; *) [ "$side" = below ] ;; esac
   done
@@ -100,10 +100,10 @@ setup() { cd "$SCRATCH" || return; }
   run -2 scripts/from-hh.sh l1 hh V=24.84
   [ "${#lines[@]}" -eq 1 ]
   run -1 --separate-stderr scripts/from-hh.sh l1 hh V=40 c_d=32038
+  # shellcheck disable=SC2154 # of run
   [[ $stderr == *"no double Hopf point within 1 % of V = 40, c_d = 32038" ]]
   run -2 scripts/from-hh.sh l9 hh V=24.84 c_d=32038
   run -1 --separate-stderr scripts/from-gh.sh l1 gh V=20 c_d=3000
-  # shellcheck disable=SC2154 # of run
   [[ $stderr == "from-gh: no generalised Hopf point within a factor of 2 of V = 20, c_d = 3000" ]]
   run -2 scripts/from-gh.sh li1 gh V=0.716 c_d=526 k_s=6.38e5 b=140 angle=0.1
   [[ $output == *"a larger one does"* ]]
