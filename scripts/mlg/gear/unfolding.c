@@ -120,14 +120,15 @@ const struct command command_unfolding = {
   .summary = "what lives beside a double Hopf point",
   .details =
     "At the double Hopf point within 1 % of V and c_d the amplitudes obey\n"
-    "  r_i' = r_i (sigma_i + a_own r_i^2 + a_other r_j^2), sigma_i = dre_dV (V - V_HH) + dre_dc_d (c_d - c_HH).\n"
+    "  r_i' = r_i (sigma_i + a_own r_i^2 + a_other r_j^2),\n"
+    "  sigma_i = dre_dV (V - V_HH) + dre_dc_d (c_d - c_HH).\n"
     "Prints CSV, a row for each oscillation:\n"
     "  frequency_hz   Hz, the lower first; angle: r is its amplitude of psi or of delta, rad\n"
     "  re             real part of the eigenvalue, 1/s; how exact the point is\n"
     "  a_own          1/s per rad^2; below 0 its Hopf points here are supercritical\n"
     "  a_other        the effect of the other oscillation\n"
     "  dre_dV, dre_dc_d  of the real part, 1/s per m/s and per N m s/rad\n"
-    "  torus_V, torus_c_d  the curve of its torus points begins at V_HH + torus_V r^2, c_HH + torus_c_d r^2\n"
+    "  torus_V, torus_c_d  its torus points begin at V_HH + torus_V r^2, c_HH + torus_c_d r^2\n"
     "  torus_dV_dc_d  its slope there\n"
     "  unfolding      difficult (a_own of different signs), or Kuznetsov's simple I to V (Section\n"
     "                 8.6.2): with a_own < 0, in I both oscillations are stable between the torus\n"
