@@ -150,7 +150,7 @@ build/lib/libmlg.so: $(library_parts) $(library_layouts) build/models/gear.o
 # --- mlg: the one command on it ------------------------------------------------
 mlg_parts := $(patsubst scripts/mlg/%.c,build/mlg/%.o,$(filter-out %/drawn.c,$(wildcard scripts/mlg/*.c scripts/mlg/*/*.c)))
 mlg_drawn := $(layouts:%=build/mlg/drawn-%.o)
-mlg_includes = -Imodels -Imodels/libmlg -Ibuild/libmlg -Iscripts/mlg -Iscripts/mlg/gear -Iscripts/mlg/auto -Iscripts/mlg/report
+mlg_includes = -Imodels -Imodels/libmlg -Ibuild/libmlg -Iscripts/mlg -Iscripts/mlg/gear -Iscripts/mlg/auto -Iscripts/mlg/report -Iscripts/mlg/sweep
 # the work is in the library: the commands around it are compiled quickly
 mlg_cc = $(CC) $(CFLAGS) -O1 $(mlg_includes) -c
 

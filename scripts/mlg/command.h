@@ -6,6 +6,8 @@
 #ifndef MLG_COMMAND_H
 #define MLG_COMMAND_H
 
+#include <stdbool.h>
+
 /* Exit status of every command. */
 enum { MLG_OK, MLG_FAILED, MLG_BAD_INPUT };
 
@@ -16,5 +18,11 @@ struct command {
   const char *details;            /* for `mlg help COMMAND`: arguments, columns with units */
   int (*run)(int argc, char *argv[]); /* returns an exit status */
 };
+
+/* The command of that name, or NULL. */
+const struct command *find_command(const char *name);
+
+/* Whether it keeps nothing, so that one process may call it again and again (mlg cases). */
+bool is_repeatable(const struct command *command);
 
 #endif

@@ -53,6 +53,7 @@
   X(starts)         /* auto/starts.c */ \
   X(agree)          /* auto/starts.c */ \
   X(stamp)          /* auto/uses.c */ \
+  X(cases)          /* sweep/cases.c */ \
   X(cell)           /* report/cell.c */ \
   X(pick)           /* report/pick.c */ \
   X(areas)          /* report/areas.c */ \
@@ -60,6 +61,9 @@
   X(fill)           /* report/fill.c */ \
   X(embed)          /* report/embed.c */ \
   X(strip)          /* report/strip.c */
+
+/* Those that keep nothing from one call to the next; tests/sweeps.bats tries each. */
+#define REPEATABLE(X) X(boundary) X(hopf) X(intervals) X(widest) X(eigenvalues) X(damping)
 
 #define X(name) extern const struct command command_##name;
 COMMANDS_OF_MLG(X)
@@ -73,7 +77,7 @@ static const struct command *const commands[] = {
 
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
-static const struct command *find(const char *name)
+const struct command *find_command(const char *name)
 {
   for (int i = 0; i < COMMANDS; i++)
     if (strcmp(commands[i]->name, name) == 0)
@@ -85,6 +89,14 @@ static const char common[] =
   "NAME=VALUE: a parameter of models/mlg.h in SI units and radians; k_s=inf is rigid,\n"
   "compliance is 1e5/k_s, F_z the static load in place of M, V_top the top of the\n"
   "operating range (200 m/s).  gear=FILE: values from a file as constants/gear.printed.\n";
+
+bool is_repeatable(const struct command *command)
+{
+#define X(name) if (command == &command_##name) return true;
+  REPEATABLE(X)
+#undef X
+  return false;
+}
 
 static void list_commands(void)
 {
@@ -99,7 +111,7 @@ static void list_commands(void)
 
 static int help(int argc, char *argv[])
 {
-  const struct command *c = argc > 1 ? find(argv[1]) : NULL;
+  const struct command *c = argc > 1 ? find_command(argv[1]) : NULL;
 
   if (argc > 2)
     refuse("help", argv[2], "expected one command at most");
@@ -124,7 +136,7 @@ _Noreturn void xerbla_(const char *name, const int *number, size_t length)
 
 int main(int argc, char *argv[])
 {
-  const struct command *c = argc > 1 ? find(argv[1]) : NULL;
+  const struct command *c = argc > 1 ? find_command(argv[1]) : NULL;
 
   if (argc < 2) {
     fprintf(stderr, "mlg: expected a command; `mlg help` lists them\n");

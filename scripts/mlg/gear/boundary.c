@@ -6,11 +6,7 @@
 #include "command.h"
 #include "names.h"
 
-static struct option options[] = {
-  { "V_least", "m/s", 0., 1e3, 0., NULL },
-  { "zeta", "-", -0.999, 0.999, 0., NULL },
-  { .name = NULL },
-};
+static struct option options[3]; /* as read last */
 
 const char *kind_name(enum libmlg_kind kind)
 {
@@ -35,6 +31,8 @@ int checked(const char *command, int n)
 
 static void read_range(struct arguments *a, int argc, char *argv[])
 {
+  options[0] = (struct option){ "V_least", "m/s", 0., 1e3, 0., NULL };
+  options[1] = (struct option){ "zeta", "-", -0.999, 0.999, 0., NULL };
   read_arguments(a, argc, argv, options);
   if (!(options[0].value < a->V_top))
     fail(argv[0], MLG_BAD_INPUT, "V_least = %g m/s is not below V_top = %g m/s", options[0].value, a->V_top);
