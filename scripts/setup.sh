@@ -4,6 +4,8 @@
 #   scripts/setup.sh            those for the figures
 #   scripts/setup.sh test       those for the figures and the tests
 #   scripts/setup.sh pages      those for the figures and make check-pages
+#   scripts/setup.sh sweeps     those for the figures and scripts/sweep.sh run
+#   scripts/setup.sh slurm      those for the figures and scripts/sweep.sh slurm
 #
 # It looks for each thing itself, not for its package, so that a compiler or
 # a plotter that came another way will do, and says nothing if all is there.
@@ -39,6 +41,9 @@ test       python3   sys          python3          the Python interface of AUTO
 test       python3   numpy        python3-numpy    the same, with arrays
 test       python3   sympy        python3-sympy    the equations derived again
 test       command   git          git              is the tree clean after a run?
+test       gnu       parallel     parallel         sweeps on two jobs
+sweeps     gnu       parallel     parallel         sweeps on this machine
+slurm      command   sbatch       slurm-wlm        sweeps on a cluster, and their test
 pages      command   bats         bats             the test of that page
 pages      command   chromium     chromium         the browser it is tested in
 '
@@ -51,6 +56,11 @@ say() {
 # was asked has failed in another way (too little memory, say).
 has_command() { # THING
   command -v "$1" >/dev/null
+}
+
+# Of moreutils there is another parallel.
+has_gnu() { # THING
+  [[ "$("$1" --version 2>/dev/null)" = GNU\ * ]]
 }
 
 # shellcheck disable=SC2086 # CC may have flags
@@ -144,8 +154,8 @@ install_packages() {
 main() {
   local job=${1:-figures} packages log
   case $#:$job in
-  [01]:figures | 1:test | 1:pages) ;;
-  *) say 'usage: scripts/setup.sh [figures|test|pages]' && exit 2 ;;
+  [01]:figures | 1:test | 1:pages | 1:sweeps | 1:slurm) ;;
+  *) say 'usage: scripts/setup.sh [figures|test|pages|sweeps|slurm]' && exit 2 ;;
   esac
   packages=$(missing_packages "$job")
   [ -n "$packages" ] || return 0

@@ -37,12 +37,28 @@ main() { # COMMAND FILE WORD...
   read_words "$command" "$@"
   case $command in
     show) show ;;
-    run) begin; compute ;;
-    slurm) begin; submit "${options[@]}" ;;
-    status) begun; cases status; slurm_status ;;
-    resume) begun; not_queued; compute ;;
-    gather) begun; cases gather ;;
-    failed) begun; cases failed ;;
+    run)
+      begin
+      compute
+      ;;
+    slurm)
+      begin
+      submit "${options[@]}"
+      ;;
+    status)
+      begun
+      cases status
+      slurm_status
+      ;;
+    resume)
+      begun
+      not_queued
+      compute
+      ;;
+    gather | failed)
+      begun
+      cases "$command"
+      ;;
   esac
 }
 

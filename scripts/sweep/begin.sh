@@ -1,4 +1,4 @@
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2034,SC2154 # they share variables
 # begin.sh - what a sweep is, and the plan it is begun with; sourced by sweep.sh
 #
 # build/sweeps/NAME/plan holds the size of a block, which its files are named by, and sums
@@ -12,25 +12,25 @@ find_description() { # FILE
   name=${name%.sweep}
   check_name "$name"
   folder=build/sweeps/$name
-  build build/bin/mlg
-  files=$(mlg cases "$file" files) || exit $?
-  if grep -qx run <<< "$files"; then
-    unset MLG_BUILT
+  if grep -qE '^[[:space:]]*do[[:space:]]*=[[:space:]]*run[[:space:]]' "$file"; then
     # shellcheck disable=SC2119 # the models too
     build
+  else
+    build build/bin/mlg
   fi
+  files=$(mlg cases "$file" files) || exit $?
 }
 
 # Sets retry, jobs, tasks and options.
 read_words() { # COMMAND WORD...
   local command=$1 word
   shift
-  retry='' jobs=$(env -u OMP_NUM_THREADS nproc) tasks=1000 options=()
+  retry=() jobs=$(env -u OMP_NUM_THREADS nproc) tasks=1000 options=()
   for word; do
     case $command:$word in
       run:jobs=* | resume:jobs=*) jobs=$(count_of "$word" 4096) || exit $? ;;
       slurm:tasks=*) tasks=$(count_of "$word" 100000) || exit $? ;;
-      resume:retry | slurm:retry) retry=retry ;;
+      resume:retry | slurm:retry) retry=(retry) ;;
       slurm:--array* | slurm:-a*) fail "sweep: '$word': the array is made by tasks=N" 2 ;;
       slurm:-*) options+=("$word") ;;
       *) fail "sweep: '$word': no such word of $command; $usage" 2 ;;
@@ -39,13 +39,14 @@ read_words() { # COMMAND WORD...
 }
 
 count_of() { # NAME=N MOST
-  [[ ${1#*=} =~ ^[1-9][0-9]{0,5}$ ]] && [ "${1#*=}" -le "$2" ] ||
+  if [[ ! ${1#*=} =~ ^[1-9][0-9]{0,5}$ ]] || [ "${1#*=}" -gt "$2" ]; then
     fail "sweep: '$1': expected a whole number from 1 to $2" 2
+  fi
   echo "${1#*=}"
 }
 
 # mlg cases for the blocks of this sweep
-cases() { mlg cases "$file" "$@" folder="$folder" size="$size"; }
+cases() { mlg cases "$file" "$@" folder="$folder" size="$size" || exit $?; }
 
 # Sets tried, seconds and bytes by trying some cases.
 try_cases() {

@@ -1,4 +1,4 @@
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2034,SC2154 # they share variables
 # local.sh - the blocks of a sweep on this machine, by GNU parallel; sourced by sweep.sh
 #
 # GNU parallel asks to be cited: O. Tange, GNU Parallel, doi:10.5281/zenodo.1146014.  Its
@@ -9,7 +9,7 @@ is_gnu_parallel() { parallel --version 2> /dev/null | grep -q '^GNU parallel'; }
 compute() {
   local left bar=() status=0
   is_gnu_parallel || scripts/setup.sh sweeps || exit $?
-  cases todo $retry > "$folder/todo.$$" || exit $?
+  cases todo "${retry[@]}" > "$folder/todo.$$"
   left=$(wc -l < "$folder/todo.$$")
   if [ "$left" -gt 0 ]; then
     [ ! -t 2 ] || bar=(--bar)
@@ -17,7 +17,7 @@ compute() {
     export PARALLEL_HOME=$PWD/build/sweeps/.parallel # what it notes for itself; ~/.parallel counts too
     mkdir -p "$PARALLEL_HOME"
     parallel --jobs "$jobs" "${bar[@]}" --halt now,fail=1 --joblog "$folder/joblog" -a "$folder/todo.$$" \
-      build/bin/mlg cases "$file" block={} folder="$folder" size="$size" $retry < /dev/null || status=$?
+      build/bin/mlg cases "$file" block={} folder="$folder" size="$size" "${retry[@]}" < /dev/null || status=$?
   fi
   rm -f "$folder/todo.$$"
   [ "$status" = 0 ] || fail "sweep: $name ended early; scripts/sweep.sh resume $file goes on"

@@ -1,4 +1,4 @@
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2034,SC2154 # they share variables
 # slurm.sh - the blocks of a sweep as a job array of Slurm; sourced by sweep.sh
 #
 # Task i of T computes blocks i, i + T, i + 2 T, ... of those that were left when it was
@@ -18,13 +18,17 @@ submit() { # SBATCH_OPTION...
   local left most
   has_slurm || scripts/setup.sh slurm || exit $?
   not_queued
-  cases todo $retry > "$folder/todo" || exit $?
+  cases todo "${retry[@]}" > "$folder/todo"
   left=$(wc -l < "$folder/todo")
-  [ "$left" -gt 0 ] || { cases gather && return; }
+  if [ "$left" = 0 ]; then
+    cases gather
+    return
+  fi
   # beyond MaxArraySize, 1001 unless the cluster has another, sbatch refuses
   most=$(scontrol show config 2> /dev/null | sed -n 's/^MaxArraySize *= *//p')
   [ "$tasks" -lt "${most:-1001}" ] || tasks=$((${most:-1001} - 1))
   [ "$tasks" -le "$left" ] || tasks=$left
+  rm -rf "$folder/log"
   mkdir -p "$folder/log"
   write_task > "$folder/task.sh"
   sbatch --parsable --job-name="$name" --array="0-$((tasks - 1))" --output="$folder/log/%a" --open-mode=append \
@@ -45,7 +49,7 @@ cd $(printf %q "$PWD") || exit
 export LC_ALL=C OMP_NUM_THREADS=1
 status=0
 while read -r block; do
-  build/bin/mlg cases $(printf %q "$file") block="\$block" folder=$folder size=$size $retry || status=\$?
+  build/bin/mlg cases $(printf %q "$file") block="\$block" folder=$folder size=$size ${retry[*]} || status=\$?
   [ "\$status" -lt 128 ] || exit "\$status"
 done < <(awk -v i="\$SLURM_ARRAY_TASK_ID" 'NR % $tasks == i' $folder/todo)
 exit "\$status"
@@ -54,13 +58,14 @@ END
 
 # What Slurm knows of the last job: squeue while it is there, then sacct where accounts are kept.
 slurm_status() {
+  local states
   [ -n "$(job)" ] && has_slurm || return 0
-  if queued; then
-    squeue --noheader --array --jobs="$(job)" --format=%T | sort | uniq -c | awk -v job="$(job)" '{ printf "  job %s: %d tasks %s\n", job, $1, tolower($2) }'
-  elif sacct --noheader --allocations --jobs="$(job)" --format=State > "$folder/sacct" 2> /dev/null && [ -s "$folder/sacct" ]; then
-    sort "$folder/sacct" | uniq -c | awk -v job="$(job)" '{ printf "  job %s: %d tasks %s\n", job, $1, tolower($2) }'
+  states=$(squeue --noheader --array --jobs="$(job)" --format=%T 2> /dev/null) || true
+  [ -n "$states" ] || states=$(sacct --noheader --allocations --jobs="$(job)" --format=State 2> /dev/null) || true
+  if [ -n "$states" ]; then
+    sort <<< "$states" | uniq -c | awk -v job="$(job)" '{ printf "  job %s: %d tasks %s\n", job, $1, tolower($2) }'
   else
-    echo "  job $(job) is not in the queue; Slurm keeps no accounts here, so what is done is what the blocks say"
+    echo "  job $(job) is not in the queue, and Slurm keeps no accounts here: the blocks say what is done"
   fi
-  cat "$folder"/log/* 2> /dev/null | tail -n 3
+  cat "$folder"/log/* | tail -n 3
 }
