@@ -234,7 +234,10 @@ END
   scripts/sweep.sh run build/struck.sweep jobs=1 &
   pid=$!
   until_true 60 grep -qa '^ok 1 ' build/sweeps/struck/blocks/0/1.part
-  worker=$(pgrep -P "$(pgrep -f "mlg cases build/struck.sweep bloc[k]=1" | tail -n 1)" || pgrep -n -f "mlg cases build/struck.sweep bloc[k]=1")
+  for worker in $(pgrep -f "mlg cases build/struck.sweep bloc[k]=1"); do
+    [[ $(readlink "/proc/$worker/exe") != */mlg || $(readlink "/proc/$(ps -o ppid= "$worker" | xargs)/exe") = */mlg ]] || break
+  done
+  worker=$(pgrep -P "$worker")
   kill -KILL "$worker"
   wait $pid
   [ "$(rows struck failed.csv | sed -n 2p)" = "2,1e-5,1,run,137,killed by signal 9 (Killed)" ]

@@ -94,8 +94,9 @@ static struct axis *new_axis(struct sweep *s, const char *name, const char *give
 {
   if (find_axis(s, name, strlen(name)) >= 0)
     slip(s, line, name, "given twice, also in line %d", s->axis[find_axis(s, name, strlen(name))].line);
-  if (strcmp(name, "case") == 0 || strcmp(name, "parameters") == 0)
-    slip(s, line, name, "a name of its own; {%s} in words means something else", name);
+  for (const char *const *own = (const char *const[]){ "case", "parameters", "at", "command", "status", "reason", NULL }; *own; own++)
+    if (strcmp(name, *own) == 0)
+      slip(s, line, name, "a name of its own: of a {word}, or of a column of failed.csv");
   if (s->axes == MOST_AXES)
     slip(s, line, name, "there are %d names already", MOST_AXES);
   struct axis *a = &s->axis[s->axes++];

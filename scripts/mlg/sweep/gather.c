@@ -78,7 +78,7 @@ static void print_answer_head(const struct sweep *s, FILE *f)
 static void print_failed_head(const struct sweep *s, FILE *f)
 {
   print_head(s, "Failures", f);
-  fprintf(f, ",step,command,status,reason\n");
+  fprintf(f, ",at,command,status,reason\n");
 }
 
 /* Calls for every record of the blocks in those states, by rising case. */

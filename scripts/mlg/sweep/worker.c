@@ -92,11 +92,11 @@ static bool is_full(const char *folder)
   return (double)about.f_bavail * (double)about.f_frsize < 4e6;
 }
 
-/* A command that was killed: if that was the end of everything, this process too is killed
+/* A command, or AUTO below it, that was killed: if that was the end of everything, this process too is killed
  * within a second, and the case has not failed. */
 static void wait_for_end(int status, const char *reason)
 {
-  if (status >= 128 || (reason && strstr(reason, "signal")))
+  if (status >= 128 || (reason && (strstr(reason, "signal") || strstr(reason, "status 137") || strstr(reason, "status 143"))))
     nap(1.);
 }
 
