@@ -233,7 +233,7 @@ static int run_cases(int argc, char *argv[])
 
 const struct command command_cases = {
   .name = name,
-  .usage = "FILE [show | files | plan | block=K | todo | status | gather | failed] [folder=DIR] [size=N] [retry]",
+  .usage = "FILE [show | files | plan | block=K | todo | status | gather | failed]\n     [folder=DIR] [size=N] [retry]",
   .summary = "the cases of a sweep: shown, computed in blocks, gathered",
   .details =
     "FILE: the description of a sweep (docs/sweeps.md).  scripts/sweep.sh gives the rest:\n"
