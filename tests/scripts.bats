@@ -2,7 +2,7 @@
 
 @test "scripts and tests pass shellcheck" {
   cd "$BATS_TEST_DIRNAME/.."
-  shellcheck --shell=bash --external-sources --source-path=SCRIPTDIR scripts/*.sh scripts/*/*.sh tests/*.sh tests/verify/*.sh tests/bench/*.sh tests/study/*.sh tests/*.bash .ci/run
+  shellcheck --shell=bash --external-sources --source-path=SCRIPTDIR scripts/*.sh scripts/*/*.sh tests/*.sh tests/verify/*.sh tests/bench/*.sh tests/study/*.sh tests/sweeps/*.sh tests/sweeps/*.bash tests/*.bash .ci/run
   shellcheck --external-sources --source-path=SCRIPTDIR tests/*.bats tests/pages/*.bats
 }
 

@@ -379,3 +379,12 @@ END
   cmp <(sed 1d build/sweeps/here/failed.csv) <(sed 1d build/sweeps/there/failed.csv)
   [ "$(records there)" -eq 4000 ] && [ "$(rows there failed.csv | wc -l)" -eq 2001 ]
 }
+
+@test "the examples of docs/sweeps.md" {
+  examples docs/sweeps.md > build/examples.sh
+  bash -euo pipefail build/examples.sh
+  [ "$(rows mine | wc -l)" -eq 55 ]
+  [ "$(rows mine | sed 1d | grep -vc ',,')" -gt 20 ]
+  [ "$(rows chain | wc -l)" -eq 9 ]
+  near "$(rows chain | sed -n '$p' | cut -d , -f 4)" "$(mlg hopf l1 c_d=3e4 e=0.14 | sed -n 3p | cut -d , -f 2)" 1e-6 "the Hopf point of the last case"
+}
