@@ -29,13 +29,13 @@ enum { NDIM = GEAR_STATES };
 static double A, D, g, k, e, s;
 static const double omega = 70., d = 3.;
 
-static void rates(const double par[], const double u[], double f[])
+static void rates(const struct libmlg_layout *l, const double par[], const double u[], double f[])
 {
   /* psi = x + s x^2 */
   const double x = s != 0. ? (sqrt(1. + 4. * s * u[PSI]) - 1.) / (2. * s) : u[PSI];
   const double R = x * x + u[DPSI] * u[DPSI], growth = A * R + D * R * R + g * u[DELTA];
 
-  (void)par;
+  (void)l, (void)par;
   for (int i = 0; i < NDIM; i++)
     f[i] = -(1. + i) * u[i];
   f[DELTA] = -d * u[DELTA] + k * R + e * R * R;
@@ -44,9 +44,10 @@ static void rates(const double par[], const double u[], double f[])
 }
 
 /* The derivative at rest is that of the straight oscillator. */
-static void jacobian(const double par[], const double u[], const double f[], double dfdu[], double dfdp[])
+static void jacobian(const struct libmlg_layout *l, const double par[], const double u[], const double f[], double dfdu[],
+                     double dfdp[])
 {
-  (void)par, (void)u, (void)f, (void)dfdp;
+  (void)l, (void)par, (void)u, (void)f, (void)dfdp;
   for (int i = 0; i < NDIM * NDIM; i++)
     dfdu[i] = i % (NDIM + 1) == 0 ? -(1. + i / NDIM) : 0.;
   dfdu[DELTA + NDIM * DELTA] = -d;
@@ -57,7 +58,7 @@ static void jacobian(const double par[], const double u[], const double f[], dou
 
 static void is_of_the_normal_form(void **state)
 {
-  const struct libmlg_layout oscillator = { "oscillator", NDIM, NULL, rates, jacobian, NULL, NULL };
+  const struct libmlg_layout oscillator = { "oscillator", NDIM, NULL, rates, jacobian, NULL, NULL, 0 };
   double par[MLG_SLOTS] = { 0. }, a;
   struct libmlg_mode mode;
 
@@ -76,7 +77,7 @@ static void is_of_the_normal_form(void **state)
 
 static void fifth_order_is_of_the_normal_form(void **state)
 {
-  const struct libmlg_layout oscillator = { "oscillator", NDIM, NULL, rates, jacobian, NULL, NULL };
+  const struct libmlg_layout oscillator = { "oscillator", NDIM, NULL, rates, jacobian, NULL, NULL, 0 };
   double par[MLG_SLOTS] = { 0. }, a, a_5;
   struct libmlg_mode mode;
 

@@ -36,9 +36,9 @@ static void device(const struct libmlg_layout *layout, const double par[], doubl
   if (p[PAR_K_S] >= MLG_RIGID)
     p[PAR_K_S] = INFINITY;
   p[PAR_C_D] = 0.;
-  Z[0] = layout->network(p);
+  Z[0] = layout->network(layout, p);
   p[PAR_C_D] = c_unit;
-  Z[1] = layout->network(p);
+  Z[1] = layout->network(layout, p);
   Z[1].num = poly_sum(Z[1].num, poly_scaled(Z[0].num, -1.));
   Z[1].den = poly_sum(Z[1].den, poly_scaled(Z[0].den, -1.));
 }

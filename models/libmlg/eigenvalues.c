@@ -66,8 +66,8 @@ int libmlg_spectrum(const struct libmlg_layout *l, const double slots[], double 
   bool kept[LIBMLG_MOST_STATES];
   int m = 0, entries = 0;
 
-  l->rhs(slots, rest, f);
-  l->jacobian(slots, rest, f, A, NULL);
+  l->rhs(l, slots, rest, f);
+  l->jacobian(l, slots, rest, f, A, NULL);
   for (int i = 0; i < n * n; i++)
     if (!isfinite(A[i]))
       return LIBMLG_FAILED;

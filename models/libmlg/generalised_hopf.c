@@ -66,7 +66,7 @@ static void measure(struct manifold *m)
       const double theta = 2. * MLG_PI * angle / ANGLES;
 
       states_at(m, radius(m, ring) * cexp(I * theta), u);
-      m->l->rhs(m->slots, u, N);
+      m->l->rhs(m->l, m->slots, u, N);
       for (int j = 0; j < m->n; j++)
         for (int i = 0; i < m->n; i++)
           N[i] -= m->A[i + m->n * j] * u[j];
@@ -152,8 +152,8 @@ static int begin(struct manifold *m, double omega, struct libmlg_mode *mode)
 
   if (libmlg_mode_near(m->l, m->slots, 0., omega, mode, q, m->p) != 0)
     return LIBMLG_FAILED;
-  m->l->rhs(m->slots, rest, f);
-  m->l->jacobian(m->slots, rest, f, m->A, NULL);
+  m->l->rhs(m->l, m->slots, rest, f);
+  m->l->jacobian(m->l, m->slots, rest, f, m->A, NULL);
   m->omega = mode->im;
   m->reach = HUGE_VAL;
   for (int i = 0; i < m->n; i++) {

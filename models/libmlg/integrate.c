@@ -83,7 +83,7 @@ static int rates(sunrealtype t, N_Vector u, N_Vector du, void *data)
   double *f = N_VGetArrayPointer(du);
 
   (void)t;
-  in->l->rhs(in->slots, x, f);
+  in->l->rhs(in->l, in->slots, x, f);
   in->refused = fabs(x[DELTA]) > MLG_PI / 2. || fabs(x[PSI]) > MLG_PI / 2.;
   for (int i = 0; i < in->l->states; i++)
     in->refused |= !isfinite(f[i]);

@@ -19,13 +19,33 @@ static const struct libmlg_quantity state[NDIM] = {
 
 _Static_assert((int)NDIM <= (int)LIBMLG_MOST_STATES, "libmlg.h promises enough");
 
-static double torque(const double par[], const double u[])
+static void rhs(const struct libmlg_layout *l, const double par[], const double u[], double f[])
+{
+  (void)l;
+  right_hand_side(par, u, f);
+}
+
+static void jacobian(const struct libmlg_layout *l, const double par[], const double u[], const double f[], double dfdu[],
+                     double dfdp[])
+{
+  (void)l;
+  derivatives(par, u, f, dfdu, dfdp);
+}
+
+static double torque(const struct libmlg_layout *l, const double par[], const double u[])
 {
   double rates[NDIM];
 
+  (void)l;
   return device(par, u, rates);
 }
 
+static struct network network(const struct libmlg_layout *l, const double par[])
+{
+  (void)l;
+  return device_network(par);
+}
+
 const struct libmlg_layout ENTRY(NAME) = {
-  TEXT(NAME), NDIM, state, right_hand_side, derivatives, torque, device_network,
+  TEXT(NAME), NDIM, state, rhs, jacobian, torque, network, 0,
 };

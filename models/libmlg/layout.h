@@ -16,14 +16,17 @@ struct libmlg_layout {
   int states;
   const struct libmlg_quantity *state;
   /* dfdp: a column for each slot, or NULL; f: the rates at u */
-  void (*rhs)(const double par[], const double u[], double f[]);
-  void (*jacobian)(const double par[], const double u[], const double f[], double dfdu[], double dfdp[]);
-  double (*torque)(const double par[], const double u[]); /* T_d, N m */
-  struct network (*network)(const double par[]);          /* dynamic stiffness of the device */
+  void (*rhs)(const struct libmlg_layout *l, const double par[], const double u[], double f[]);
+  void (*jacobian)(const struct libmlg_layout *l, const double par[], const double u[], const double f[], double dfdu[],
+                   double dfdp[]);
+  double (*torque)(const struct libmlg_layout *l, const double par[], const double u[]); /* T_d, N m */
+  struct network (*network)(const struct libmlg_layout *l, const double par[]); /* dynamic stiffness of the device */
+  int number; /* among the devices read from text (device_layout.c), 0 of a file's */
 };
 
-/* The layout of that number, or NULL. */
+/* The layout of that number, or NULL; of those read from text alone. */
 const struct libmlg_layout *libmlg_find(int layout);
+const struct libmlg_layout *libmlg_find_device(int layout);
 
 /* The slots of AUTO, from par[libmlg_parameters()]. */
 void libmlg_slots(const double par[], double slots[MLG_SLOTS]);

@@ -34,7 +34,7 @@ _Static_assert((int)PARAMETERS <= (int)LIBMLG_MOST_PARAMETERS, "libmlg.h promise
 
 const struct libmlg_layout *libmlg_find(int layout)
 {
-  return layout >= 0 && layout < LAYOUT_COUNT ? layouts[layout] : NULL;
+  return layout >= 0 && layout < LAYOUT_COUNT ? layouts[layout] : libmlg_find_device(layout);
 }
 
 int libmlg_layouts(void)
@@ -67,14 +67,14 @@ int libmlg_states(int layout)
 int libmlg_state(int layout, const char *name)
 {
   for (int i = 0; i < libmlg_states(layout); i++)
-    if (strcmp(layouts[layout]->state[i].name, name) == 0)
+    if (strcmp(libmlg_find(layout)->state[i].name, name) == 0)
       return i;
   return LIBMLG_NONE;
 }
 
 const struct libmlg_quantity *libmlg_state_quantity(int layout, int state)
 {
-  return state >= 0 && state < libmlg_states(layout) ? &layouts[layout]->state[state] : NULL;
+  return state >= 0 && state < libmlg_states(layout) ? &libmlg_find(layout)->state[state] : NULL;
 }
 
 int libmlg_parameters(void)
@@ -144,7 +144,7 @@ int libmlg_rhs(int layout, const double par[], const double u[], double f[])
   if (!l)
     return LIBMLG_NONE;
   libmlg_slots(par, slots);
-  l->rhs(slots, u, f);
+  l->rhs(l, slots, u, f);
   return 0;
 }
 
@@ -156,8 +156,8 @@ int libmlg_jacobian(int layout, const double par[], const double u[], double dfd
   if (!l)
     return LIBMLG_NONE;
   libmlg_slots(par, slots);
-  l->rhs(slots, u, f);
-  l->jacobian(slots, u, f, dfdu, dfdp ? all : NULL);
+  l->rhs(l, slots, u, f);
+  l->jacobian(l, slots, u, f, dfdu, dfdp ? all : NULL);
   for (int k = 0; dfdp && k < PARAMETERS; k++)
     memcpy(dfdp + k * l->states, all + parameters[k].index * l->states, (size_t)l->states * sizeof *dfdp);
   return 0;
@@ -171,7 +171,7 @@ int libmlg_torque(int layout, const double par[], const double u[], double *T_d)
   if (!l)
     return LIBMLG_NONE;
   libmlg_slots(par, slots);
-  *T_d = l->torque(slots, u);
+  *T_d = l->torque(l, slots, u);
   return 0;
 }
 
@@ -193,7 +193,7 @@ int libmlg_uses(int layout, int parameter)
       p[parameters[parameter].index] *= 1.1;
     for (int i = 0; i < l->states; i++)
       u[i] = 1e-2 * (i + 1);
-    l->rhs(p, u, f[k]);
+    l->rhs(l, p, u, f[k]);
   }
   return memcmp(f[0], f[1], (size_t)l->states * sizeof **f) != 0;
 }

@@ -43,6 +43,14 @@ int libmlg_layouts(void);                   /* how many there are */
 int libmlg_layout(const char *name);        /* number of "l1", or LIBMLG_NONE */
 const char *libmlg_layout_name(int layout); /* NULL: no such layout */
 
+/* The number of a device written as text, "k_s-(k_d|c_d|b)" for that of li1, for use wherever
+ * a layout's number is asked for: springs k_d, k_s, k=VALUE, dampers c_d, c=VALUE, inerters b,
+ * b=VALUE (SI), | between what shares its twist, - what shares its torque, - binding closer,
+ * and parentheses; k_psi stands before it all by itself, and c_d has to be in it
+ * (docs/networks.md).  The same text has the same number; at most 4096 of them are kept, for
+ * the life of the program.  LIBMLG_NONE: it makes no sense, and error[size] says where. */
+int libmlg_network(const char *text, char error[], size_t size);
+
 /* --- states: those of the gear, then those of the device ----------------------- */
 
 int libmlg_states(int layout); /* how many, or LIBMLG_NONE: no such layout */

@@ -33,8 +33,8 @@ static int jacobian_at_rest(const struct libmlg_layout *l, const double slots[],
   const double rest[MOST] = { 0. };
   double f[MOST];
 
-  l->rhs(slots, rest, f);
-  l->jacobian(slots, rest, f, A, NULL);
+  l->rhs(l, slots, rest, f);
+  l->jacobian(l, slots, rest, f, A, NULL);
   for (int i = 0; i < l->states * l->states; i++)
     if (!isfinite(A[i]))
       return LIBMLG_FAILED;
@@ -92,10 +92,10 @@ static void derivative_along(const struct gear *g, const double v[], int order, 
   for (int k = 5; k > 0; k--) {
     for (int i = 0; i < g->n; i++)
       u[i] = k * h * v[i];
-    g->l->rhs(g->slots, u, ahead);
+    g->l->rhs(g->l, g->slots, u, ahead);
     for (int i = 0; i < g->n; i++)
       u[i] = -u[i];
-    g->l->rhs(g->slots, u, behind);
+    g->l->rhs(g->l, g->slots, u, behind);
     for (int i = 0; i < g->n; i++)
       out[i] += order == 2 ? second_weight[k - 1] * (ahead[i] + behind[i])
                            : third_weight[k - 1] * (ahead[i] - behind[i]);

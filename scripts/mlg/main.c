@@ -34,6 +34,7 @@
   X(simulate)       /* gear/simulate.c */ \
   X(search)         /* gear/search.c */ \
   X(draw)           /* gear/draw.c */ \
+  X(networks)       /* gear/networks.c */ \
   X(gear)           /* gear/gear.c */ \
   X(gearinfo)       /* gear/gearinfo.c */ \
   X(constants)      /* auto/checking.c */ \

@@ -194,9 +194,15 @@ void retake_value(struct arguments *a, const char *word, size_t length, double v
   settle_load(a);
 }
 
+/* A network written as text, which no layout's name looks like but for one element. */
+static bool is_network(const char *word)
+{
+  return strpbrk(word, "|-=(") || number_of(word, strlen(word)) != LIBMLG_NONE;
+}
+
 void begin_arguments(struct arguments *a, int argc, char *argv[], struct option option[])
 {
-  char known[LINE] = "";
+  char known[LINE] = "", wrong[LINE];
   size_t n = 0;
 
   *a = (struct arguments){ .command = argv[0], .V_top = MLG_V_TOP, .option = option };
@@ -204,6 +210,11 @@ void begin_arguments(struct arguments *a, int argc, char *argv[], struct option 
   if (argc < 2)
     fail(argv[0], MLG_BAD_INPUT, "expected a layout; `mlg help %s` says more", argv[0]);
   a->layout = libmlg_layout(argv[1]);
+  if (a->layout == LIBMLG_NONE && is_network(argv[1])) {
+    a->layout = libmlg_network(argv[1], wrong, sizeof wrong);
+    if (a->layout == LIBMLG_NONE)
+      refuse(argv[0], argv[1], "no network: %s", wrong);
+  }
   if (a->layout != LIBMLG_NONE)
     return;
   for (int i = 0; i < libmlg_layouts() && n < sizeof known; i++)

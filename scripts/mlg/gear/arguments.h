@@ -1,5 +1,7 @@
 /* arguments.h - what follows a command of mlg: LAYOUT [NAME=VALUE ...]
  *
+ *   LAYOUT      the name of one in models/, or a network as text, "k_s-(k_d|c_d|b)"
+ *               (docs/networks.md)
  *   NAME=VALUE  a parameter of models/mlg.h, SI units and radians, within its range.
  *               k_s=inf is rigid; compliance=X is k_s = 1e5/X, 0 rigid; F_z=X is the
  *               M that makes the static load (M + m_D) g = X N

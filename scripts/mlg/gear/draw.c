@@ -6,6 +6,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "device_text.h"
 #include "drawn.h"
 #include "svg.h"
 
@@ -21,19 +22,14 @@ static const struct drawn *const drawings[] = {
 
 static const double element = 104., lead = 14., above = 42., below = 18.; /* px */
 
-/* What a network takes up: its width, and its height over and under its line. */
-struct size { double width, over, under; };
-
 /* The branches between two rails: first over the first one's line, last under
  * the last one's.  Parallel parts of a parallel network are branches of it. */
 struct branches { double width, height, first, last; };
 
-static struct size size(const struct part *n);
-
 static struct branches branches(const struct part *n)
 {
   if (n->kind != PARALLEL) {
-    const struct size s = size(n);
+    const struct drawn_size s = drawn_size(n);
 
     return (struct branches){ s.width, s.over + s.under, s.over, s.under };
   }
@@ -41,28 +37,20 @@ static struct branches branches(const struct part *n)
   return (struct branches){ fmax(a.width, b.width), a.height + b.height, a.first, b.last };
 }
 
-static struct size size(const struct part *n)
+struct drawn_size drawn_size(const struct part *n)
 {
   if (n->kind == SERIES) {
-    const struct size a = size(n->a), b = size(n->b);
+    const struct drawn_size a = drawn_size(n->a), b = drawn_size(n->b);
 
-    return (struct size){ a.width + b.width, fmax(a.over, b.over), fmax(a.under, b.under) };
+    return (struct drawn_size){ a.width + b.width, fmax(a.over, b.over), fmax(a.under, b.under) };
   }
   if (n->kind == PARALLEL) {
     const struct branches s = branches(n);
     const double rail = s.height - s.first - s.last;
 
-    return (struct size){ s.width + 2. * lead, s.first + rail / 2., s.last + rail / 2. };
+    return (struct drawn_size){ s.width + 2. * lead, s.first + rail / 2., s.last + rail / 2. };
   }
-  return (struct size){ element, above, below };
-}
-
-static const char *name(const char *text)
-{
-#define X(slot, id, name, ...) if (strcmp(text, "par[PAR_" #id "]") == 0) return name;
-  MLG_PARAMETERS(X)
-#undef X
-  return text;
+  return (struct drawn_size){ element, above, below };
 }
 
 /* One element on its line y between x and x + width. */
@@ -81,10 +69,8 @@ static void draw_element(const struct part *n, double x, double y, double width)
     svg_path("", "M%.1f %.1fh36v18h-36z", left, y - 9.);
     svg_path("", "M%.1f %.1fh34v28h-34", right - 34., y - 14.);
   }
-  svg_name(middle, y - 22., "middle", name(n->text));
+  svg_name(middle, y - 22., "middle", n->text);
 }
-
-static void draw(const struct part *n, double x, double y, double width);
 
 /* Branches one below the other, from top downwards. */
 static void draw_branches(const struct part *n, double x, double top, double width)
@@ -93,20 +79,20 @@ static void draw_branches(const struct part *n, double x, double top, double wid
     draw_branches(n->a, x, top, width);
     draw_branches(n->b, x, top + branches(n->a).height, width);
   } else
-    draw(n, x, top + size(n).over, width);
+    draw_part(n, x, top + drawn_size(n).over, width);
 }
 
 /* A network from x on, its line at y, stretched to width. */
-static void draw(const struct part *n, double x, double y, double width)
+void draw_part(const struct part *n, double x, double y, double width)
 {
   if (n->kind == SERIES) {
-    const double a = size(n->a).width * width / size(n).width;
+    const double a = drawn_size(n->a).width * width / drawn_size(n).width;
 
-    draw(n->a, x, y, a);
-    draw(n->b, x + a, y, width - a);
+    draw_part(n->a, x, y, a);
+    draw_part(n->b, x + a, y, width - a);
   } else if (n->kind == PARALLEL) {
     const struct branches s = branches(n);
-    const double top = y - size(n).over, bottom = top + s.height;
+    const double top = y - drawn_size(n).over, bottom = top + s.height;
 
     draw_branches(n, x + lead, top, width - 2. * lead);
     svg_path("", "M%.1f %.1fh%.1fM%.1f %.1fV%.1f", x, y, lead, x + lead, top + s.first, bottom - s.last);
@@ -116,28 +102,35 @@ static void draw(const struct part *n, double x, double y, double width)
     draw_element(n, x, y, width);
 }
 
+const struct drawn *drawn_of(const char *layout)
+{
+  for (size_t i = 0; i < sizeof drawings / sizeof *drawings; i++)
+    if (strcmp(drawings[i]->layout, layout) == 0)
+      return drawings[i];
+  return NULL;
+}
+
 static int run(int argc, char *argv[])
 {
+  const struct drawn *drawn;
+  struct part device;
   struct arguments a;
-  const struct drawn *drawn = NULL;
-  char title[80];
+  char title[200];
 
   read_arguments(&a, argc < 2 ? argc : 2, argv, NULL);
   if (argc > 2)
     refuse(argv[0], argv[2], "expected nothing behind the layout");
-  for (size_t i = 0; i < sizeof drawings / sizeof *drawings; i++)
-    if (strcmp(drawings[i]->layout, argv[1]) == 0)
-      drawn = drawings[i];
-  if (!drawn)
+  drawn = drawn_of(argv[1]);
+  if (!drawn && !device_of(a.layout))
     refuse(argv[0], argv[1], "there is no drawing of this layout");
+  device = drawn ? drawn->device() : *device_of(a.layout)->whole;
 
-  const struct part device = drawn->device();
-  const struct size s = size(&device);
+  const struct drawn_size s = drawn_size(&device);
   const double margin = 74., y = 12. + s.over, wall = margin + s.width;
 
-  snprintf(title, sizeof title, "the device of layout %s", argv[1]);
+  snprintf(title, sizeof title, drawn ? "the device of layout %s" : "the device %s", argv[1]);
   svg_begin(s.width + 2. * margin, s.over + fmax(s.under, 44.) + 12., title);
-  draw(&device, margin, y, s.width);
+  draw_part(&device, margin, y, s.width);
   svg_circle("solid", margin, y, 4.);
   svg_arrow(margin - 46., y, margin - 10., y);
   svg_name(margin - 30., y - 10., "middle", "psi");

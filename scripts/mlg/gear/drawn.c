@@ -26,11 +26,7 @@ static const struct part *kept(struct part part)
   return copy;
 }
 
-static inline struct part element_of(enum kind kind, double value, const char *text)
-{
-  (void)value;
-  return (struct part){ .kind = kind, .text = text };
-}
+static struct part element_of(enum part_kind kind, double value, const char *text);
 
 static inline struct part parallel(struct part a, struct part b)
 {
@@ -44,6 +40,16 @@ static inline struct part series(struct part a, struct part b)
 
 #define MLG_NO_AUTO
 #include LAYOUT
+
+/* The name of a parameter in place of what stands for it in a layout file. */
+static struct part element_of(enum part_kind kind, double value, const char *text)
+{
+#define X(number, id, called, ...) \
+  if (strcmp(text, "par[PAR_" #id "]") == 0) return (struct part){ .kind = kind, .text = called, .slot = PAR_##id };
+  MLG_PARAMETERS(X)
+#undef X
+  return (struct part){ .kind = kind, .text = text, .slot = -1, .value = value };
+}
 
 static struct part device_drawn(void)
 {

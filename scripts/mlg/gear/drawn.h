@@ -1,18 +1,22 @@
-/* drawn.h - the device of a layout as a tree of its elements */
+/* drawn.h - the device of each layout as a tree of its elements (part.h) */
 #ifndef MLG_DRAWN_H
 #define MLG_DRAWN_H
 
-enum kind { SPRING, DAMPER, INERTER, PARALLEL, SERIES };
-
-struct part { /* a group has its parts, an element the text of its value */
-  enum kind kind;
-  const char *text;
-  const struct part *a, *b;
-};
+#include "part.h"
 
 struct drawn {
   const char *layout;
   struct part (*device)(void); /* its parts live as long as the program */
 };
+
+/* That of the layout of this name, in libmlg, or NULL. */
+const struct drawn *drawn_of(const char *layout);
+
+/* A drawing of the tree, one line above another, in a box of this size, px, its left end at
+ * (x, y), stretched to width. */
+struct drawn_size { double width, over, under; };
+
+struct drawn_size drawn_size(const struct part *tree);
+void draw_part(const struct part *tree, double x, double y, double width);
 
 #endif
