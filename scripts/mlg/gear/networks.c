@@ -151,7 +151,7 @@ double network_least_k_s(const struct device_text *d, double k_d)
  * values that make it so are looked for by Newton's method on the logarithms of the values,
  * for three functions of each. */
 
-enum { VALUES = 4, SAMPLES = 6, TRIES = 40, STEPS = 60 };
+enum { VALUES = 4, SAMPLES = 6, TRIES = 12, STEPS = 60 };
 
 static const int value_slot[VALUES] = { PAR_K_D, PAR_K_S, PAR_C_D, PAR_B };
 
@@ -281,11 +281,23 @@ static int is_within(const struct device_text *of, const struct device_text *by,
   return 1;
 }
 
+/* The powers of s that are in num and den, which do not hang on the values. */
+static unsigned powers(const struct device_text *d)
+{
+  double par[MLG_SLOTS] = { [PAR_K_PSI] = MLG_RIGID * MLG_RIGID, [PAR_K_D] = 1., [PAR_K_S] = 1., [PAR_C_D] = 1., [PAR_B] = 1. };
+  const struct network Z = device_stiffness(d, par);
+  unsigned bits = 0;
+
+  for (int i = 0; i < POLY_TERMS; i++)
+    bits |= (unsigned)(Z.num.coefficient[i] > 1e-9) << i | (unsigned)(Z.den.coefficient[i] > 1e-9) << (i + POLY_TERMS);
+  return bits;
+}
+
 int network_same(const struct device_text *a, const struct device_text *b, int k_d_free)
 {
   const int first = k_d_free ? 0 : 1;
 
-  return a->order == b->order && is_within(a, b, first) && is_within(b, a, first);
+  return powers(a) == powers(b) && is_within(a, b, first) && is_within(b, a, first);
 }
 
 /* --- the command ------------------------------------------------------------------------------ */

@@ -1,0 +1,156 @@
+# networks.bats - devices written as text, and every small network
+#
+# Counts against all graphs of so many edges, stiffnesses and damping against nodes and
+# eigenvalues (networks.py), layouts against their own text, tables against both.
+#
+# Needs   build/bin/mlg
+# Writes  build/tests/networks
+
+bats_require_minimum_version 1.5.0
+load scratch
+
+setup_file() {
+  scratch networks
+}
+
+setup() {
+  cd "$SCRATCH" || return
+}
+
+oracle() {
+  python3 "$ROOT/tests/networks.py" "$@"
+}
+
+# LAYOUT TEXT, one a line
+layouts_as_text() {
+  mlg networks | awk -F, '!/^#/ && $7 != "" && $7 != "layout" { print $7, $2 }'
+}
+
+@test "there are as many networks as graphs have different stiffnesses, and paths of springs" {
+  local set all=0 path=0 a p
+  for set in kc kcb kkc kkcb; do
+    read -r a p < <(oracle count $set)
+    all=$((all + a)) path=$((path + p))
+  done
+  [ "$all $path" = "70 35" ]
+  mlg networks | head -n 1 | grep -q "^# $all series-parallel networks .* $path of them$"
+  [ "$(mlg networks | grep -c '^[0-9]')" -eq "$path" ]
+  [ "$(mlg networks | awk -F, '/^[0-9]/ { print $2 }' | sort -u | wc -l)" -eq "$path" ]
+}
+
+# same_table TOLERANCE FILE FILE: the same words, and numbers that near
+same_table() {
+  awk -F, -v tolerance="$1" '
+    NR == FNR { first[FNR] = $0; next }
+    { rows = FNR; n = split(first[FNR], x, ",")
+      for (k = 1; k <= NF || k <= n; k++) {
+        number = x[k] + 0 != 0 && $k + 0 != 0
+        if (number ? (x[k] - $k) ^ 2 > (tolerance * $k) ^ 2 : x[k] != $k) { print "row " FNR ": " first[FNR] " and " $0; exit wrong = 1 } } }
+    END { if (!wrong && rows < 2) print "nothing to compare"; exit wrong || rows < 2 }' "$2" "$3"
+}
+
+@test "every layout of the paper and of docs/layouts.md is among them, and the same by its text" {
+  local layout text n=0 of command
+  while read -r layout text; do
+    n=$((n + 1))
+    of='k_s=6.3e5 b=110'
+    case $layout in l1) of='' ;; l2) of=k_s=6.3e5 ;; esac
+    for command in intervals boundary "best c_d=5e3" "hopf c_d=3.6e4" "eigenvalues V=33 c_d=4e3"; do
+      # shellcheck disable=SC2086 # one word for each parameter
+      mlg ${command%% *} "$layout" $of ${command#"${command%% *}"} > by-name
+      # shellcheck disable=SC2086
+      mlg ${command%% *} "$text" $of ${command#"${command%% *}"} > by-text
+      same_table 1e-6 by-name by-text # V of a least ratio is flat
+    done
+  done < <(layouts_as_text)
+  [ "$n" -eq 7 ]
+}
+
+@test "damping ratios are those of the pencil of nodes, at 60 random (network, k_s, b, c_d, V, F_z)" {
+  mlg networks | awk -F, '
+    /^[0-9]/ { text[n++] = $2 }
+    END {
+      srand(1401)
+      split("c_2=3e3-k_2=2e5|(k_d|c_d-b)|k_s (b_2=40|k_s)-(c_d-(k_d|b)) ((k_s-c_d)|k_d)-(c_2=9e3|k_2=4e6)", more, " ")
+      for (i = 1; i in more; i++) text[n++] = more[i]
+      for (i = 0; i < 60; i++)
+        printf "%s,%.6g,%.6g,%.6g,%.6g,%.6g\n", text[i % n], 2e5 * exp(3 * rand()), 1 + 200 * rand(), 200 * exp(6 * rand()), 1.8e5 + 4e4 * rand(), 1 + 199 * rand() }' > cases
+  while IFS=, read -r text k_s b c_d F_z V; do
+    case $text in *k_s*) k_s=k_s=$k_s ;; *) k_s=k_s=inf ;; esac
+    case "($text)" in *[\(\)\|-]b[\(\)\|-]*) b=b=$b ;; *) b=b=0 ;; esac
+    cell zeta damping "$text" "$k_s" "$b" c_d="$c_d" F_z="$F_z" V="$V"
+  done < cases > ours
+  paste -d ' ' ours <(oracle least < cases) | near_each 1e-6 "zeta"
+  [ "$(wc -l < ours)" -eq 60 ]
+}
+
+@test "a spring, a damper or an inerter may be a number, two of them one, at any place" {
+  mlg intervals 'k_s-(k_d|c_d|b)' k_s=6.38e5 b=140 > named
+  mlg intervals ' k=638e3 - ( ( k=54.5e3 | k_2=54500 ) |(b_x=70|c_d| b=70)) ' > numbers
+  same_table 1e-9 named numbers
+  mlg intervals 'k_d|(k_s-c_d)' k_s=5e5 > named
+  mlg intervals '(c_d-k=1e6-k=1e6)|k_d' > numbers
+  same_table 1e-9 named numbers
+}
+
+@test "what has an equal twin by the inerter's form of Zener's transformation is as well damped" {
+  # k_d|(k_s-(c|b)) is k-(K|C|B): k = k_d + k_s, K = k_d k/k_s, C = c (k/k_s)^2, B = b (k/k_s)^2
+  local k_s=400000 c=5000 b=60 K C B
+  K=$(awk "BEGIN { printf \"%.12g\", 1.09e5 * (1.09e5 + $k_s) / $k_s }")
+  C=$(awk "BEGIN { printf \"%.12g\", $c * ((1.09e5 + $k_s) / $k_s) ^ 2 }")
+  B=$(awk "BEGIN { printf \"%.12g\", $b * ((1.09e5 + $k_s) / $k_s) ^ 2 }")
+  near "$(cell zeta damping 'k_d|(k_s-(c_d|b))' k_s=$k_s c_d=$c b=$b)" \
+    "$(cell zeta damping 'k_s-(k_d|c_d|b)' k_s=509000 k_d="$K" c_d="$C" b="$B")" 1e-9 zeta
+  # of one family, then, with k_d free, and with k_d held two
+  mlg networks | awk -F, '$7 == "li1" { family = $6; same = $5 } $7 == "li5" { other = $6; own = $5 }
+    END { exit !(family == other && same != own) }'
+}
+
+@test "dampers and inerters alone in series leave no root at 0 behind" {
+  run -1 awk 'NR > 1 && $1 ^ 2 + $2 ^ 2 < 1e-12 { found = 1 } END { exit !found }' <(mlg eigenvalues 'k_d|(c_d-b)' V=40 b=10 c_d=2500)
+  near "$(cell zeta damping 'k_d|(c_d-b)' b=10 c_d=2500)" "$(cell zeta damping 'k_d|(b-c_d)' b=10 c_d=2500)" 1e-9 zeta
+  # soft, and trailing the wrong way, the gear diverges with any device
+  mlg intervals 'k_d|(c_d-b)' b=10 k_d=1 e=-2 | head -n 1 | grep -q diverges
+  mlg intervals l1 k_d=1 e=-2 | head -n 1 | grep -q diverges
+}
+
+@test "a network that makes no sense is refused in one line that says where" {
+  local text
+  while IFS= read -r text; do
+    run --separate-stderr mlg intervals "$text"
+    [ "$status" -eq 2 ] || { echo "$text: $status"; false; }
+    [ -z "$output" ] && [ "${#stderr_lines[@]}" -eq 1 ]
+    [[ $stderr == "mlg intervals: '$text': no network: "* ]] || { echo "$stderr"; false; }
+  done << 'EOF'
+k_d|(c_d
+k_d|c_d)
+k_d|c_d|c_d
+k_d|k=2
+k_d|k_2=|c_d
+k_d|k=-1|c_d
+k_d|k=1e31|c_d
+k_d|k=0x10|c_d
+k_d|k=nan|c_d
+|c_d
+c_d-
+k_d c_d|b
+k_psi|c_d
+V|c_d
+k_d||c_d
+c=1|c_d|b|b=2|b=3
+k_d|c_d|k=1|k=2|k=3|k=4|k=5|k=6|k=7|k=8
+()|c_d
+x=3|c_d
+EOF
+  run --separate-stderr mlg intervals "$(printf 'k_d|c_d%0200d' 0)"
+  [ "$status" -eq 2 ]
+  run --separate-stderr mlg intervals 'k_d|c_d' b=10
+  [ "$status" -eq 2 ]
+  run --separate-stderr mlg networks l1
+  [ "$status" -eq 2 ]
+}
+
+@test "a network is drawn with every element" {
+  mlg draw '(k_s-c_d)|k_d|c_2=300' > drawn.svg
+  [ "$(grep -c "class='i'" drawn.svg)" -eq 6 ] # psi, k_psi and the four
+}

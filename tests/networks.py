@@ -1,0 +1,188 @@
+"""networks.py - an oracle for networks written as text, which shares no code with mlg
+
+    networks.py count kkcb         how many different stiffnesses the networks of these elements
+                                   have, any graph, and how many a path of springs, k
+    networks.py least              for each line TEXT,k_s,b,c_d[,F_z[,V...]] of standard input:
+                                   the least damping ratio over these V, m/s, or over 400 of
+                                   them from 0.3 to 200 m/s
+
+A network is a graph: elements between nodes, node 0 the strut, node 1 behind k_psi.  Its
+stiffness comes from the balance of torques at the nodes, not from polynomials; the gear's
+matrices are the closed form of straight rolling, docs/model.md.  With psi, delta and lambda
+the twists of the nodes make one pencil A x = s E x."""
+import itertools
+import random
+import re
+import sys
+
+import numpy as np
+
+GEAR = dict(k_psi=3.8e5, k_d=1.09e5, c_psi=300., k_delta=6.1e6, c_delta=300., a=.5, e=.12, l_delta=.75, l_D=.72,
+            m_D=500., J_xi=200., J_zeta=100., phi=np.pi / 60, h=.1, k_t=7e5, k_alpha=1., k_lambda=.002, l=.3,
+            R=.362, g=9.81)
+
+
+def graph(text):
+    """The elements (kind, name or value, node, node) between node 1 and node 0."""
+    tokens = re.findall(r"[A-Za-z]\w*(?:=[0-9.eE+]+(?:(?<=[eE])-[0-9]+)?)?|[|()-]", text)
+    nodes = itertools.count(2)
+    elements = []
+
+    def group(top, bottom):
+        branch(top, bottom)
+        while tokens and tokens[0] == "|":
+            tokens.pop(0)
+            branch(top, bottom)
+
+    def branch(top, bottom):
+        # the number of elements in series is known only behind them: a node each, the last moved
+        here = top
+        first = len(elements)
+        while True:
+            after = next(nodes)
+            token = tokens.pop(0)
+            if token == "(":
+                group(here, after)
+                assert tokens.pop(0) == ")", text
+            else:
+                name, _, value = token.partition("=")
+                elements.append((name[0], float(value) if value else name, here, after))
+            if not tokens or tokens[0] != "-":
+                break
+            tokens.pop(0)
+            here = after
+        elements[first:] = [(k, v, bottom if p == after else p, bottom if q == after else q)
+                            for k, v, p, q in elements[first:]]
+
+    group(1, 0)
+    assert not tokens, text
+    return elements
+
+
+def pencil(text, k_s, b, c_d, V, F_z=200e3):
+    """A, E of A x = s E x, x = delta, psi, lambda, the nodes, and the rates of all but lambda."""
+    p = dict(GEAR, k_s=k_s, b=b, c_d=c_d)
+    s, c = np.sin(p["phi"]), np.cos(p["phi"])
+    et, L = p["e"] + p["R"] * s, p["l_delta"] + p["R"] * c
+    m, kap = p["a"]**2 * p["m_D"] / 4, p["a"]**2 * p["k_t"] / 2
+    elements = graph(text) + [("k", "k_psi", -1, 1)]
+    names = {node: 2 + i for i, node in enumerate(sorted({n for e in elements for n in e[2:] if n > 0}))}
+    names[-1] = 1  # psi
+    n = 2 + len(names) - 1
+    K, C, M = np.zeros((n, n)), np.zeros((n, n)), np.zeros((n, n))
+    for kind, value, at, to in elements:
+        matrix = {"k": K, "c": C, "b": M}[kind]
+        value = p[value] if isinstance(value, str) else value
+        for x, y in ((at, to), (to, at)):
+            if x != 0:
+                matrix[names[x], names[x]] += value
+                if y != 0:
+                    matrix[names[x], names[y]] -= value
+    K[0, 0] += p["k_delta"] - F_z * L * c + kap * c * c + p["m_D"] * p["g"] * p["l_D"] * c
+    K[0, 1] += -F_z * et * c + kap * c * s
+    K[1, 0] += -F_z * et * c + kap * c * s
+    K[1, 1] += -F_z * et * s + kap * s * s
+    C[0, 0] += p["c_delta"]
+    C[1, 1] += p["c_psi"]
+    M[0, 0] += p["J_xi"] + p["m_D"] * p["l_D"]**2 + m * c * c
+    M[0, 1] += m * c * s
+    M[1, 0] += m * c * s
+    M[1, 1] += p["J_zeta"] + m * s * s
+    D = np.zeros(n)
+    D[0] = F_z * (7 * p["k_lambda"] * L - p["k_alpha"] * s) / p["l"]
+    D[1] = F_z * (7 * p["k_lambda"] * et + p["k_alpha"] * c) / p["l"]
+    A, E = np.zeros((2 * n + 1, 2 * n + 1)), np.eye(2 * n + 1)
+    A[:n, n:2 * n] = np.eye(n)
+    A[n:2 * n, :n], A[n:2 * n, n:2 * n], A[n:2 * n, 2 * n] = -K, -C, -D
+    E[n:2 * n, n:2 * n] = M
+    A[2 * n, n], A[2 * n, 1], A[2 * n, n + 1], A[2 * n, 2 * n] = L, V * c, et - p["h"] * c, -V / p["l"]
+    scale = np.concatenate([np.ones(n), np.full(n, 80.), [1.]])  # rates in units of 80 rad/s
+    rows = np.concatenate([np.full(n, 1 / 80.), np.full(n, 1e-6), [1 / 80.]])
+    return rows[:, None] * A * scale, rows[:, None] * E * scale
+
+
+def eigenvalues(*args, **kwargs):
+    A, E = pencil(*args, **kwargs)
+    shift = 7.
+    mu = np.linalg.eigvals(np.linalg.solve(A - shift * E, E))
+    s = shift + 1 / mu[abs(mu) > 1e-9]  # those at 0 belong to nodes without inertia: s at infinity
+    return s[abs(s) > 1e-4]  # and those at 0 to nodes that no spring holds
+
+
+def damping(eigenvalue):
+    x = eigenvalue[(eigenvalue.imag != 0) | (eigenvalue.real > 0)]
+    return min(1., *(np.where(x.imag != 0, -x.real / abs(x), -1.))) if len(x) else 1.
+
+
+def least(line):
+    text, k_s, b, c_d, *rest = line.split(",")
+    F_z, *V = [float(x) for x in rest] or [200e3]
+    speeds = V or np.geomspace(.3, 200., 400)
+    return min(damping(eigenvalues(text, float(k_s), float(b), float(c_d), v, F_z)) for v in speeds)
+
+
+PRIME = (1 << 61) - 1
+
+
+def stiffness(edges, value):
+    """Of node 1 against node 0, modulo PRIME; None: not connected, or some node is free."""
+    used = sorted({n for e in edges for n in e if n > 1})
+    place = {node: i for i, node in enumerate([1] + used)}
+    n = len(place)
+    matrix = [[0] * n for _ in range(n)]
+    for edge, y in zip(edges, value):
+        for at, to in (edge, edge[::-1]):
+            if at in place:
+                matrix[place[at]][place[at]] += y
+                if to in place:
+                    matrix[place[at]][place[to]] -= y
+    for i in range(n - 1, 0, -1):  # the free nodes one after the other, so that node 1 is left
+        pivot = next((r for r in range(i, 0, -1) if matrix[r][i] % PRIME), None)
+        if pivot is None:
+            return None
+        matrix[i], matrix[pivot] = matrix[pivot], matrix[i]
+        inverse = pow(matrix[i][i], -1, PRIME)
+        for r in range(i):
+            factor = matrix[r][i] * inverse % PRIME
+            matrix[r] = [(a - factor * b) % PRIME for a, b in zip(matrix[r], matrix[i])]
+    return matrix[0][0] % PRIME
+
+
+def joined(edges):
+    """Whether these edges alone lead from node 1 to node 0."""
+    reached = {1}
+    for _ in edges:
+        for p, q in edges:
+            if p in reached or q in reached:
+                reached |= {p, q}
+    return 0 in reached
+
+
+def count(letters):
+    """Stiffnesses of graphs with an edge for each letter, in which every edge matters, and of
+    those in which the springs, k, lead from end to end."""
+    rng = random.Random(1)
+    n = len(letters)
+    value, other = ([rng.randrange(1, PRIME) for _ in range(n)] for _ in range(2))
+    pairs = list(itertools.combinations(range(n + 1), 2))
+    found = {}
+    for edges in itertools.product(pairs, repeat=n):
+        z = stiffness(edges, value)
+        if not z or z in found:
+            continue
+        moved = (value[:i] + [other[i]] + value[i + 1:] for i in range(n))
+        if all(stiffness(edges, m) not in (None, z) for m in moved):
+            found[z] = joined([e for e, letter in zip(edges, letters) if letter == "k"])
+    return len(found), sum(found.values())
+
+
+def main():
+    if sys.argv[1] == "count":
+        print(*count(sys.argv[2]))
+    else:
+        for line in sys.stdin:
+            print("%.10g" % least(line.strip()))
+
+
+if __name__ == "__main__":
+    main()
