@@ -6,6 +6,8 @@
 # Needs   build/bin/mlg
 # Writes  build/tests/networks
 
+# shellcheck disable=SC2154 # stderr and stderr_lines are set by run
+
 bats_require_minimum_version 1.5.0
 load scratch
 
@@ -107,11 +109,18 @@ same_table() {
 }
 
 @test "dampers and inerters alone in series leave no root at 0 behind" {
-  run -1 awk 'NR > 1 && $1 ^ 2 + $2 ^ 2 < 1e-12 { found = 1 } END { exit !found }' <(mlg eigenvalues 'k_d|(c_d-b)' V=40 b=10 c_d=2500)
+  mlg eigenvalues 'k_d|(c_d-b)' V=40 b=10 c_d=2500 | awk 'NR > 1 && $1 ^ 2 + $2 ^ 2 < 1e-12 { exit wrong = 1 } END { exit wrong || NR != 9 }'
   near "$(cell zeta damping 'k_d|(c_d-b)' b=10 c_d=2500)" "$(cell zeta damping 'k_d|(b-c_d)' b=10 c_d=2500)" 1e-9 zeta
-  # soft, and trailing the wrong way, the gear diverges with any device
-  mlg intervals 'k_d|(c_d-b)' b=10 k_d=1 e=-2 | head -n 1 | grep -q diverges
-  mlg intervals l1 k_d=1 e=-2 | head -n 1 | grep -q diverges
+  # with so soft a strut, or so long a lead of the wheels, the gear diverges with any device
+  local gear
+  for gear in k_delta=1e5 "k_d=1 e=2" e=-5; do
+    # shellcheck disable=SC2086 # one word for each parameter
+    mlg intervals 'k_d|(c_d-b)' b=10 $gear | head -n 1 | grep -q diverges
+    # shellcheck disable=SC2086
+    mlg intervals 'k_d|c_d|(c=200-b)' b=10 $gear | head -n 1 | grep -q diverges
+    # shellcheck disable=SC2086
+    mlg intervals l1 $gear | head -n 1 | grep -q diverges
+  done
 }
 
 @test "a network that makes no sense is refused in one line that says where" {
@@ -153,4 +162,15 @@ EOF
 @test "a network is drawn with every element" {
   mlg draw '(k_s-c_d)|k_d|c_2=300' > drawn.svg
   [ "$(grep -c "class='i'" drawn.svg)" -eq 6 ] # psi, k_psi and the four
+}
+
+@test "the search meets what is known: L2's widest interval, farthest ratio and best damping, by its text" {
+  mlg explore 'k_s-(k_d|c_d)' starts=2 > found
+  near "$(awk -F, '$1 == "width" { print $2 }' found)" 10226.87 1e-6 width
+  near "$(awk -F, '$1 == "width" { print $3 }' found)" 786523.7 1e-6 k_s
+  near "$(awk -F, '$1 == "zeta" { print $2 }' found)" "$(cell zeta best l2 V_least=0.3)" 1e-6 zeta
+  # no design above its largest load, one just below it
+  load=$(awk -F, '$1 == "load" { print $2 }' found)
+  [ "$(mlg widest l2 F_z="$(awk "BEGIN { print $load * 0.999 }")" | grep -c '^[0-9]')" -eq 1 ]
+  [ "$(mlg widest l2 F_z="$(awk "BEGIN { print $load * 1.001 }")" | grep -c '^[0-9]')" -eq 0 ]
 }

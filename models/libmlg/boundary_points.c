@@ -389,8 +389,6 @@ int libmlg_diverges(int layout, const double par[])
 
   if (problem(&p, layout, par, 0.) != 0)
     return LIBMLG_NONE;
-  for (int k = 0; k < 2; k++) /* the sign of F(0)/V beside that of the leading term */
-    if (p.x.F[1][0][0] * p.x.F[0][k][p.x.order] < 0.)
-      return 1;
-  return 0;
+  /* the sign of F(0)/V beside that of the leading term, at any c_d: it may take part in both */
+  return (p.x.F[1][0][0] + p.x.F[1][1][0]) * (p.x.F[0][0][p.x.order] + p.x.F[0][1][p.x.order]) < 0.;
 }

@@ -147,9 +147,14 @@ const struct libmlg_layout *libmlg_find_device(int layout)
   return layout_at(layout - libmlg_layouts());
 }
 
-const struct device_text *device_of(int layout)
+struct device_text *device_writable(int layout)
 {
   return libmlg_find_device(layout) ? &devices[layout - libmlg_layouts()]->device : NULL;
+}
+
+const struct device_text *device_of(int layout)
+{
+  return device_writable(layout);
 }
 
 int libmlg_network(const char *text, char error[], size_t size)

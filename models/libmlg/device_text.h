@@ -41,4 +41,7 @@ int device_write(const struct part *tree, char text[], size_t size);
 /* The device of a layout number that libmlg_network() gave, or NULL. */
 const struct device_text *device_of(int layout);
 
+/* The same for a search that changes the values of its elements, while nobody else asks. */
+struct device_text *device_writable(int layout);
+
 #endif

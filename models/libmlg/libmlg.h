@@ -326,6 +326,9 @@ struct libmlg_widest {
  * LIBMLG_NONE or LIBMLG_UNSURE. */
 int libmlg_widest(int layout, const double par[], double zeta, double V_least, double V_top, struct libmlg_widest *widest);
 
+/* The same for the interval whose ratio c_hi/c_lo is largest, which does not favour large c_d. */
+int libmlg_largest_ratio(int layout, const double par[], double zeta, double V_least, double V_top, struct libmlg_widest *widest);
+
 /* --- Hopf curves as a whole ------------------------------------------------------------------ */
 
 /* The part of the (V, c_d) plane that is looked at, m/s and N m s/rad; all above 0. */

@@ -20,6 +20,7 @@ static const double u_most = 1. / (1. + 1e-6);
 
 struct search {
   int layout, k_s; /* number of that parameter */
+  int by_ratio;    /* log(hi/lo) stands for the width */
   double par[LIBMLG_MOST_PARAMETERS], k_psi, zeta, V_least, V_top;
   int status;
 };
@@ -32,6 +33,12 @@ struct state {
   unsigned long signature;
   struct libmlg_interval widest;
 };
+
+/* By which intervals are compared: hi - lo, or log(hi/lo). */
+static double size(const struct search *s, double lo, double hi)
+{
+  return s->by_ratio ? log(hi / lo) : hi - lo;
+}
 
 static double k_s_of(const struct search *s, double u)
 {
@@ -53,7 +60,7 @@ static struct state state_at(struct search *s, double u)
   }
   here.signature = (unsigned long)intervals;
   for (int i = 0; i < intervals; i++) {
-    const double width = interval[i].hi.c_d - interval[i].lo.c_d;
+    const double width = size(s, interval[i].lo.c_d, interval[i].hi.c_d);
 
     here.signature = here.signature * 64 + (unsigned long)interval[i].lo.kind * 8 + (unsigned long)interval[i].hi.kind;
     if (width > here.width) {
@@ -65,7 +72,7 @@ static struct state state_at(struct search *s, double u)
     here.width = -INFINITY;
     for (int i = 0; i + 1 < points; i++) /* the upper one begins before the lower ends */
       if (point[i].kind == LIBMLG_LEAST && point[i + 1].kind == LIBMLG_LARGEST) {
-        here.width = fmax(here.width, point[i].c_d - point[i + 1].c_d);
+        here.width = fmax(here.width, size(s, point[i + 1].c_d, point[i].c_d));
         here.parting = fmax(here.parting, point[i].c_d / point[i + 1].c_d);
       }
   }
@@ -232,7 +239,7 @@ static int search_begin(struct search *s, int layout, const double par[], double
   return 0;
 }
 
-int libmlg_widest(int layout, const double par[], double zeta, double V_least, double V_top, struct libmlg_widest *w)
+static int widest(int by_ratio, int layout, const double par[], double zeta, double V_least, double V_top, struct libmlg_widest *w)
 {
   struct search s;
   struct state node[MOST_NODES], best;
@@ -241,6 +248,7 @@ int libmlg_widest(int layout, const double par[], double zeta, double V_least, d
   *w = (struct libmlg_widest){ .limit = LIBMLG_NO_INTERVAL };
   if (search_begin(&s, layout, par, zeta, V_least, V_top) != 0)
     return LIBMLG_NONE;
+  s.by_ratio = by_ratio;
   nodes = libmlg_uses(layout, s.k_s) ? NODES : 0;
   for (int i = 0; i <= nodes; i++) {
     s.status = 0;
@@ -300,4 +308,17 @@ int libmlg_widest(int layout, const double par[], double zeta, double V_least, d
     w->k_s = k_s_of(&s, best.u);
   }
   return 0;
+}
+
+int libmlg_widest(int layout, const double par[], double zeta, double V_least, double V_top, struct libmlg_widest *w)
+{
+  return widest(0, layout, par, zeta, V_least, V_top, w);
+}
+
+int libmlg_largest_ratio(int layout, const double par[], double zeta, double V_least, double V_top, struct libmlg_widest *w)
+{
+  const int status = widest(1, layout, par, zeta, V_least, V_top, w);
+
+  w->width = w->interval.hi.c_d - w->interval.lo.c_d;
+  return status;
 }

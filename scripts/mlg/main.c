@@ -35,6 +35,7 @@
   X(search)         /* gear/search.c */ \
   X(draw)           /* gear/draw.c */ \
   X(networks)       /* gear/networks.c */ \
+  X(explore)        /* gear/explore.c */ \
   X(gear)           /* gear/gear.c */ \
   X(gearinfo)       /* gear/gearinfo.c */ \
   X(constants)      /* auto/checking.c */ \
