@@ -149,8 +149,8 @@ void explore_zeta(struct explorer *e, int starts, const double given[], double e
     double exact;
 
     memcpy(x, found->x, sizeof x);
-    for (int k = 0; k < 2 && cma_largest(best_c_d, e, n - 1, x, k ? 1e-5 : 3e-3, &random, 60 * n, INFINITY, &exact) > 0; k++)
-      found->asked += 60 * n;
+    for (int k = 0; k < 2 && cma_largest(best_c_d, e, n - 1, x, k ? 1e-5 : 3e-3, &random, 20 * n, INFINITY, &exact) > 0; k++)
+      found->asked += 20 * n;
     if (exact > found->value) {
       found->value = best_c_d(x, e);
       found->lo = found->hi = e->par[NUMBER_C_D];
@@ -303,34 +303,50 @@ void explore_interval(struct explorer *e, int of_ratio, int starts, struct found
     found->met += result[start] >= found->value * (1. - same);
 }
 
-/* The largest load, N, at which some design has no shimmy: as long as one is found the load is
- * raised, then bisected, always on from the best so far. */
-void explore_load(struct explorer *e, int starts, const double given[], struct found *found)
+/* Whether some design near x, which becomes it, has a damping ratio above 0 at the load of par[]. */
+static int holds(struct explorer *e, double x[], struct cma_random *random, int *asked)
+{
+  const int n = e->has_k_s + e->has_b + e->others + 1;
+  double value = zeta(x, e);
+
+  for (int k = 0; k < 5 && !(value > 0.); k++) {
+    double near[EXPLORE_VARIABLES];
+
+    memcpy(near, x, sizeof near);
+    *asked += cma_largest(zeta, e, n, near, (double[]){ 1e-3, 0.01, 0.03, 0.1, 0.2 }[k], random, 120 * n, 0., &value);
+    if (value > 0.)
+      memcpy(x, near, sizeof near);
+  }
+  ++*asked;
+  return value > 0.;
+}
+
+/* The largest load, N, at which some design has no shimmy: raised as long as one is found, then
+ * bisected, always on from the best so far. */
+void explore_load(struct explorer *e, const double given[], struct found *found)
 {
   const double V_least = e->V_least, M = e->par[NUMBER_M], weight = (M + e->par[NUMBER_M_D]) * e->par[NUMBER_G];
-  struct found here, kept = { .value = -INFINITY, .lo = NAN, .hi = NAN };
   double lo = 0., hi = INFINITY, F_z = weight, x[EXPLORE_VARIABLES];
-  int asked = 0;
+  struct cma_random random = { 5 };
 
+  *found = (struct found){ .starts = 1, .met = 1, .lo = NAN, .hi = NAN, .k_s = NAN, .b = NAN };
   e->V_least = 0.;
   memcpy(x, given, sizeof x);
-  while (hi / lo > 1. + 1e-5 && F_z > 1e3 && F_z < 1e7) {
+  while (hi / lo > 1. + 1e-5 && F_z > 1e4 && F_z < 1e7) {
     e->par[NUMBER_M] = F_z / e->par[NUMBER_G] - e->par[NUMBER_M_D];
-    explore_zeta(e, starts, x, 0., &here);
-    asked += here.asked;
-    if (here.value > 0.) {
+    if (holds(e, x, &random, &found->asked)) {
       lo = F_z;
-      kept = here;
-      memcpy(x, here.x, sizeof x);
+      zeta(x, e);
+      found->lo = found->hi = e->par[NUMBER_C_D];
+      found->k_s = e->par[NUMBER_K_S];
+      found->b = e->par[NUMBER_B];
     } else
       hi = F_z;
-    F_z = !(lo > 0.) ? 0.8 * hi : hi < INFINITY ? sqrt(lo * hi) : 1.1 * lo;
+    F_z = !(lo > 0.) ? 0.9 * hi : hi < INFINITY ? sqrt(lo * hi) : 1.05 * lo;
   }
   e->par[NUMBER_M] = M;
   e->V_least = V_least;
-  *found = kept;
   found->value = lo;
-  found->asked = asked;
 }
 
 /* --- the command ---------------------------------------------------------------------------------- */
@@ -372,7 +388,7 @@ static int run(int argc, char *argv[])
     explore_interval(&e, of_ratio, starts, &interval);
     print_row(of_ratio ? "ratio" : "width", &e, &interval);
   }
-  explore_load(&e, starts < 3 ? starts : 3, damped.x, &load);
+  explore_load(&e, damped.x, &load);
   print_row("load", &e, &load);
   return output_status(argv[0]);
 }
