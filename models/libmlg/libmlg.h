@@ -274,6 +274,20 @@ int libmlg_points_and_intervals(int layout, const double par[], double zeta, dou
  * NaN: LAPACK failed, or no such layout. */
 double libmlg_damping_ratio(int layout, const double par[]);
 
+/* Whether straight rolling is stable (has at least the ratio zeta) at the c_d of par[] and
+ * every V_least < V < V_top: 1 or 0, or LIBMLG_NONE.  Exact as libmlg_intervals and several
+ * times cheaper: the crossings at that one c_d are the roots of one polynomial, and without
+ * any the eigenvalues at one speed decide. */
+int libmlg_is_free(int layout, const double par[], double zeta, double V_least, double V_top);
+
+/* Speeds with shimmy, m/s. */
+struct libmlg_band { double from, to; };
+
+/* All speeds in V_least..V_top at which straight rolling at the c_d of par[] is unstable, as
+ * bands by rising V, the first `most` of them into band[].  Returns their number or LIBMLG_NONE. */
+int libmlg_shimmy_speeds(int layout, const double par[], double V_least, double V_top, struct libmlg_band band[],
+                         int most);
+
 /* Whether the gear diverges, a real root growing, at every V and c_d: 1 or 0; the sign of
  * F(0) decides, which hangs on neither. */
 int libmlg_diverges(int layout, const double par[]);
@@ -298,6 +312,64 @@ int libmlg_best_c_d(int layout, const double par[], double V_least, double V_top
  * grids about it, down to 1e-10 of the range.  Parameters the layout does not use stay. */
 int libmlg_best_damped(int layout, const double par[], double b_least, double b_most, double V_least, double V_top,
                        struct libmlg_ratio *best);
+
+/* --- how far a design is from shimmy -------------------------------------------------------
+ *
+ * The static load F_z = (M + m_D) g counts as a parameter here, LIBMLG_F_Z: M moves, and m_D
+ * and g stay. */
+
+enum { LIBMLG_F_Z = LIBMLG_MOST_PARAMETERS };
+
+/* Its value, N, or that of a parameter; NaN: no such parameter. */
+double libmlg_value(const double par[], int parameter);
+void libmlg_set(double par[], int parameter, double value);
+
+/* d(c_d)/d(parameter) of a boundary point, a bound of an interval, of the damping ratio zeta;
+ * 0 for one of the kind LIBMLG_ENDS and by a rigid k_s.  By implicit differentiation, no
+ * difference of two points; good to about 1e-9, less where two points nearly meet, at which
+ * it is infinite.  Returns 0, LIBMLG_NONE: no such layout or parameter, LIBMLG_FAILED. */
+int libmlg_point_slope(int layout, const double par[], double zeta, const struct libmlg_point *point, int parameter,
+                       double *slope);
+
+/* d(zeta)/d(parameter) of a least ratio as libmlg_least_ratio gives it, likewise.  Where two
+ * modes share the least ratio it is that of the one that was found.  Returns as above, and
+ * LIBMLG_FAILED where a real eigenvalue is the least. */
+int libmlg_ratio_slope(int layout, const double par[], const struct libmlg_ratio *least, int parameter, double *slope);
+
+/* Parameters that vary together, each by +-p of its value: as many as 2^LIBMLG_MOST_SIDES
+ * corners. */
+enum { LIBMLG_MOST_SIDES = 16 };
+
+struct libmlg_box { int n, parameter[LIBMLG_MOST_SIDES]; };
+
+/* The one of this project: F_z, k_t, e, l, h, k_lambda, k_alpha, c_delta, c_psi, k_delta, k_psi,
+ * c_d, and k_s and b where the layout has them and they are neither rigid nor 0. */
+void libmlg_box_of(int layout, const double par[], struct libmlg_box *box);
+
+/* par[] at a corner of the box of size p (1: 100 %): parameter[i] is at its upper end where bit i of
+ * corner is 1. */
+void libmlg_corner(const double par[], const struct libmlg_box *box, unsigned corner, double p, double out[]);
+
+/* p: where the first of all corners begins to shimmy; 0 where the design itself does.  Each of the
+ * 2^n corners is tested exactly at p, 3/4, 1/2 and 1/4 of it; bounded 0: none shimmies at the
+ * most that is looked at. */
+#define LIBMLG_MOST_TOLERANCE 0.9
+
+struct libmlg_tolerance { double p; unsigned corner; int bounded; };
+
+/* That of the design par[], its c_d included.  Returns 0 or LIBMLG_NONE. */
+int libmlg_tolerance(int layout, const double par[], const struct libmlg_box *box, double V_least, double V_top,
+                     struct libmlg_tolerance *tolerance);
+
+struct libmlg_design { double k_s, b, c_d, p; };
+
+/* The k_s, c_d and b, b_least <= b <= b_most, of the largest tolerance in libmlg_box_of: p = 0,
+ * there is none.  Over c_d exact; at each b over k_s the best of a grid of 64 of
+ * 1/(1 + k_s/k_psi), then golden section beside it; over b the best of 16, then golden section
+ * beside it, to 1/15000 of the range.  All corners are tested at what is found at each b.
+ * Returns 0 or LIBMLG_NONE. */
+int libmlg_most_tolerant(int layout, const double par[], double b_least, double b_most, double V_least, double V_top,
+                         struct libmlg_design *design);
 
 /* What ends the growth of the widest interval over k_s. */
 enum libmlg_limit {
