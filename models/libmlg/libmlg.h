@@ -371,6 +371,12 @@ struct libmlg_design { double k_s, b, c_d, p; };
 int libmlg_most_tolerant(int layout, const double par[], double b_least, double b_most, double V_least, double V_top,
                          struct libmlg_design *design);
 
+/* The same at the k_s and b of each of n designs: sets their c_d and p, both 0 where there is no
+ * interval.  Only corners that failed first at some node are asked, *asked of them; all corners are
+ * tested at every eleventh node, until these agree.  Returns at how many, or LIBMLG_NONE. */
+int libmlg_tolerance_map(int layout, const double par[], struct libmlg_design node[], int n, double V_least, double V_top,
+                         int *asked);
+
 /* What ends the growth of the widest interval over k_s. */
 enum libmlg_limit {
   LIBMLG_NO_INTERVAL, /* there is none at any k_s */
@@ -400,6 +406,25 @@ int libmlg_widest(int layout, const double par[], double zeta, double V_least, d
 
 /* The same for the interval whose ratio c_hi/c_lo is largest, which does not favour large c_d. */
 int libmlg_largest_ratio(int layout, const double par[], double zeta, double V_least, double V_top, struct libmlg_widest *widest);
+
+/* --- over loads ------------------------------------------------------------------------------- */
+
+/* The k_s, c_d and b, b_least <= b <= b_most, whose least damping ratio over V_least < V < V_top
+ * and over the load F_z (LIBMLG_F_Z) from F_least to F_most, N, is largest: seven loads in equal
+ * steps count; V of *best is not set.  Exact in c_d; over k_s and b as libmlg_best_damped, down to 1e-9
+ * of the range.  Returns 0, LIBMLG_NONE, LIBMLG_UNSURE or LIBMLG_FAILED: no design has a ratio. */
+int libmlg_best_over_loads(int layout, const double par[], double F_least, double F_most, double b_least, double b_most,
+                           double V_least, double V_top, struct libmlg_ratio *best);
+
+/* A load, N, and a design with an interval there, which at the largest load is about to vanish. */
+struct libmlg_load { double F_z, k_s, b; struct libmlg_interval interval; };
+
+/* The largest load up to F_most, N, at which any k_s and b, b_least <= b <= b_most, has a zero-shimmy
+ * interval; F_z = 0: none has.  At each b by libmlg_widest over 41 loads and bisection above the last
+ * that bears, to 1e-8; over b the best of 16, then golden section beside it.  Intervals
+ * that libmlg_widest does not see do not count.  Returns 0 or LIBMLG_NONE. */
+int libmlg_largest_load(int layout, const double par[], double F_most, double b_least, double b_most, double V_least,
+                        double V_top, struct libmlg_load *load);
 
 /* --- Hopf curves as a whole ------------------------------------------------------------------ */
 

@@ -271,19 +271,27 @@ static struct best at_b(struct search *s, double b, double ignored)
   return best_at_b(s, b);
 }
 
+static int search_begin(struct search *s, int layout, const double par[], double V_least, double V_top)
+{
+  if (!libmlg_find(layout))
+    return LIBMLG_NONE;
+  *s = (struct search){ .layout = layout, .k_s = libmlg_parameter("k_s"), .b = libmlg_parameter("b"),
+                        .c_d = libmlg_parameter("c_d"), .V_least = V_least, .V_top = V_top };
+  memcpy(s->par, par, (size_t)libmlg_parameters() * sizeof *par);
+  s->k_psi = par[libmlg_parameter("k_psi")];
+  return 0;
+}
+
 int libmlg_most_tolerant(int layout, const double par[], double b_least, double b_most, double V_least, double V_top,
                          struct libmlg_design *design)
 {
-  struct search s = { .layout = layout, .k_s = libmlg_parameter("k_s"), .b = libmlg_parameter("b"),
-                      .c_d = libmlg_parameter("c_d"), .V_least = V_least, .V_top = V_top };
-  const int nodes = libmlg_uses(layout, s.b) == 1 && b_most > b_least ? NODES_B : 0;
+  const int nodes = libmlg_uses(layout, libmlg_parameter("b")) == 1 && b_most > b_least ? NODES_B : 0;
   const double node = (b_most - b_least) / NODES_B;
-  struct best best = { .p = 0. };
+  struct best best = { .p = 0., .b = b_least };
+  struct search s;
 
-  if (!libmlg_find(layout))
+  if (search_begin(&s, layout, par, V_least, V_top) != 0)
     return LIBMLG_NONE;
-  memcpy(s.par, par, (size_t)libmlg_parameters() * sizeof *par);
-  s.k_psi = par[libmlg_parameter("k_psi")];
   for (int i = 0; i <= nodes; i++)
     best = better(best, best_at_b(&s, b_least + i * node));
   if (nodes > 0 && best.p > 0.)
@@ -293,4 +301,41 @@ int libmlg_most_tolerant(int layout, const double par[], double b_least, double 
     s.par[s.k_s] = MLG_RIGID;
   *design = (struct libmlg_design){ .k_s = s.par[s.k_s], .b = s.par[s.b], .c_d = best.c_d, .p = best.p };
   return 0;
+}
+
+/* --- a map ------------------------------------------------------------------------------------ */
+
+enum { WHOLE_EVERY = 11 };
+
+int libmlg_tolerance_map(int layout, const double par[], struct libmlg_design node[], int n, double V_least, double V_top,
+                         int *asked)
+{
+  struct search s;
+  int before, whole;
+
+  if (search_begin(&s, layout, par, V_least, V_top) != 0)
+    return LIBMLG_NONE;
+  do {
+    before = s.n;
+    whole = 0;
+    for (int i = 0; i < n; i++) {
+      const double u = 1. / (1. + node[i].k_s / s.k_psi);
+      struct best here;
+
+      place(&s, node[i].k_s, node[i].b);
+      set_box(&s);
+      if (s.n == 0 && !ask_predicted(&s, node[i].b)) {
+        node[i].p = node[i].c_d = 0.;
+        continue;
+      }
+      do {
+        here = value_at(&s, u, node[i].b, 0.);
+        whole += i % WHOLE_EVERY == 0;
+      } while (i % WHOLE_EVERY == 0 && here.p > 0. && ask_failing(&s, &here) > 0);
+      node[i].p = here.p;
+      node[i].c_d = here.p > 0. ? here.c_d : 0.;
+    }
+  } while (s.n > before);
+  *asked = s.n;
+  return whole;
 }

@@ -33,6 +33,10 @@
   X(generalised)    /* gear/generalised.c */ \
   X(simulate)       /* gear/simulate.c */ \
   X(search)         /* gear/search.c */ \
+  X(loads)          /* gear/loads.c */ \
+  X(elasticities)   /* gear/elasticities.c */ \
+  X(tolerance)      /* gear/tolerance.c */ \
+  X(probability)    /* gear/probability.c */ \
   X(draw)           /* gear/draw.c */ \
   X(networks)       /* gear/networks.c */ \
   X(explore)        /* gear/explore.c */ \

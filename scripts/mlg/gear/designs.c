@@ -1,0 +1,66 @@
+/* designs.c - what the commands about loads, elasticities and tolerances share */
+#include "designs.h"
+
+#include <math.h>
+
+#include "command.h"
+#include "names.h"
+
+bool take_interval(struct arguments *a, struct libmlg_interval *interval)
+{
+  struct libmlg_interval all[LIBMLG_MOST_POINTS];
+  const double c_d = a->par[NUMBER_C_D];
+  const int n = checked(a->command, libmlg_intervals(a->layout, a->par, 0., 0., a->V_top, all, LIBMLG_MOST_POINTS));
+  double widest = 0.;
+
+  for (int i = 0; i < n; i++) {
+    const double lo = all[i].lo.c_d, hi = all[i].hi.c_d;
+
+    if (a->word[NUMBER_C_D] ? lo < c_d && c_d < hi : hi - lo > widest) {
+      widest = hi - lo;
+      *interval = all[i];
+    }
+  }
+  if (widest > 0. && !a->word[NUMBER_C_D])
+    a->par[NUMBER_C_D] = isfinite(widest) ? 0.5 * (interval->lo.c_d + interval->hi.c_d) : fmax(2. * interval->lo.c_d, 1.);
+  return widest > 0.;
+}
+
+const char *quantity_name(int parameter)
+{
+  return parameter == LIBMLG_F_Z ? "F_z" : libmlg_parameter_quantity(parameter)->name;
+}
+
+const char *quantity_unit(int parameter)
+{
+  return parameter == LIBMLG_F_Z ? "N" : libmlg_parameter_quantity(parameter)->unit;
+}
+
+bool least_mode(const struct arguments *a, const double par[], double V_least, struct libmlg_mode *mode)
+{
+  struct libmlg_ratio least;
+  double at[LIBMLG_MOST_PARAMETERS];
+
+  if (libmlg_least_ratio(a->layout, par, V_least, a->V_top, &least) != 0)
+    fail(a->command, MLG_FAILED, "no eigenvalues at c_d = %g", par[NUMBER_C_D]);
+  for (int i = 0; i < NUMBERS; i++)
+    at[i] = par[i];
+  at[NUMBER_V] = least.V;
+  if (libmlg_least_damped(a->layout, at, mode) != 0)
+    fail(a->command, MLG_FAILED, "no eigenvalues at V = %g, c_d = %g", least.V, par[NUMBER_C_D]);
+  mode->zeta = least.zeta;
+  mode->V = least.V;
+  return least.zeta > -1.;
+}
+
+void check_speeds(const struct arguments *a, double V_least)
+{
+  refuse_given(a, NUMBER_V, "a design holds for every V");
+  if (!(V_least < a->V_top))
+    fail(a->command, MLG_BAD_INPUT, "V_least = %g m/s is not below V_top = %g m/s", V_least, a->V_top);
+}
+
+double shown_k_s(double k_s)
+{
+  return k_s >= MLG_RIGID ? INFINITY : k_s;
+}
