@@ -11,15 +11,21 @@ static int by_V(const void *a, const void *b)
   return (x > y) - (x < y);
 }
 
+/* What both can be asked of. */
+static int is_question(const struct libmlg_layout *l, const double slots[], double V_least, double V_top)
+{
+  return l && V_least >= 0. && V_top > V_least && isfinite(V_top) && slots[PAR_C_D] >= 0. && isfinite(slots[PAR_C_D]);
+}
+
 int libmlg_is_free(int layout, const double par[], double zeta, double V_least, double V_top)
 {
   const struct libmlg_layout *l = libmlg_find(layout);
   double slots[MLG_SLOTS];
   struct crossing_at at[CROSSING_TERMS];
 
-  if (!l || !(V_least >= 0. && V_top > V_least && isfinite(V_top)))
-    return LIBMLG_NONE;
   libmlg_slots(par, slots);
+  if (!is_question(l, slots, V_least, V_top))
+    return LIBMLG_NONE;
   const struct crossing x = crossing_of(l, slots, zeta);
   const double c = slots[PAR_C_D] / x.c_unit, lo = V_least / x.V_unit, hi = V_top / x.V_unit;
 
@@ -34,9 +40,9 @@ int libmlg_shimmy_speeds(int layout, const double par[], double V_least, double 
   struct crossing_at at[CROSSING_TERMS + 1];
   int n = 0;
 
-  if (!l || !(V_least >= 0. && V_top > V_least && isfinite(V_top)))
-    return LIBMLG_NONE;
   libmlg_slots(par, slots);
+  if (!is_question(l, slots, V_least, V_top))
+    return LIBMLG_NONE;
   const struct crossing x = crossing_of(l, slots, 0.);
   const double c = slots[PAR_C_D] / x.c_unit;
   const int crossings = crossings_at_c(&x, c, V_least / x.V_unit, V_top / x.V_unit, at);

@@ -275,7 +275,7 @@ int libmlg_points_and_intervals(int layout, const double par[], double zeta, dou
 double libmlg_damping_ratio(int layout, const double par[]);
 
 /* Whether straight rolling is stable (has at least the ratio zeta) at the c_d of par[] and
- * every V_least < V < V_top: 1 or 0, or LIBMLG_NONE.  Exact as libmlg_intervals and several
+ * every V_least < V < V_top: 1 or 0, or LIBMLG_NONE (also for a c_d that is no number).  Exact as libmlg_intervals and several
  * times cheaper: the crossings at that one c_d are the roots of one polynomial, and without
  * any the eigenvalues at one speed decide. */
 int libmlg_is_free(int layout, const double par[], double zeta, double V_least, double V_top);
@@ -371,11 +371,10 @@ struct libmlg_design { double k_s, b, c_d, p; };
 int libmlg_most_tolerant(int layout, const double par[], double b_least, double b_most, double V_least, double V_top,
                          struct libmlg_design *design);
 
-/* The same at the k_s and b of each of n designs: sets their c_d and p, both 0 where there is no
- * interval.  Only corners that failed first at some node are asked, *asked of them; all corners are
- * tested at every eleventh node, until these agree.  Returns at how many, or LIBMLG_NONE. */
-int libmlg_tolerance_map(int layout, const double par[], struct libmlg_design node[], int n, double V_least, double V_top,
-                         int *asked);
+/* The same at the k_s and b of each of n designs: sets their c_d and p, both 0 where there is
+ * none.  All corners are tested at p, but not at parts of it; p is a bound from above where a corner
+ * fails below p alone.  Returns 0 or LIBMLG_NONE. */
+int libmlg_tolerance_map(int layout, const double par[], struct libmlg_design node[], int n, double V_least, double V_top);
 
 /* What ends the growth of the widest interval over k_s. */
 enum libmlg_limit {
@@ -420,9 +419,9 @@ int libmlg_best_over_loads(int layout, const double par[], double F_least, doubl
 struct libmlg_load { double F_z, k_s, b; struct libmlg_interval interval; };
 
 /* The largest load up to F_most, N, at which any k_s and b, b_least <= b <= b_most, has a zero-shimmy
- * interval; F_z = 0: none has.  At each b by libmlg_widest over 41 loads and bisection above the last
- * that bears, to 1e-8; over b the best of 16, then golden section beside it.  Intervals
- * that libmlg_widest does not see do not count.  Returns 0 or LIBMLG_NONE. */
+ * interval; F_z = 0: none has.  At each k_s the last of 25 loads with one, then bisection above it
+ * to 1e-11; over k_s the best of 257 nodes of 1/(1 + k_s/k_psi), over b of 16, each with golden
+ * section beside it.  Returns 0 or LIBMLG_NONE. */
 int libmlg_largest_load(int layout, const double par[], double F_most, double b_least, double b_most, double V_least,
                         double V_top, struct libmlg_load *load);
 

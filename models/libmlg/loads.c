@@ -1,15 +1,12 @@
 /* loads.c - the design that is best damped over a range of loads, and the largest load with
  * any zero-shimmy design
  */
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include "layout.h"
 
-enum { NODES_K_S = 64, NODES_B = 32, MOST = LIBMLG_MOST_POINTS, LOADS = 7, NODES = 15 };
-
-static const double golden_ratio = 0.6180339887498949;
+enum { NODES_K_S = 64, NODES_B = 32, MOST = LIBMLG_MOST_POINTS, LOADS = 7 };
 
 /* --- best damped over a range of loads ------------------------------------------------------ */
 
@@ -146,93 +143,126 @@ int libmlg_best_over_loads(int layout, const double par[], double F_least, doubl
 
 /* --- the largest load ------------------------------------------------------------------------- */
 
-/* Whether some k_s has an interval at this load and b; which. */
-static int bears(int layout, double par[], double F_z, double b, double V_least, double V_top, struct libmlg_widest *w)
-{
-  struct libmlg_widest here;
+enum { FINE_NODES = 256, NODES_LOAD = 24, NODES_LARGEST_B = 15 };
 
-  libmlg_set(par, LIBMLG_F_Z, F_z);
-  par[libmlg_parameter("b")] = b;
-  if (libmlg_widest(layout, par, 0., V_least, V_top, &here) != 0 || !(here.width > 0.))
+struct largest {
+  int layout, k_s, b;
+  double par[LIBMLG_MOST_PARAMETERS], k_psi, F_most, V_least, V_top;
+};
+
+/* A load and where it is borne. */
+struct borne { double F_z, u, b; struct libmlg_interval interval; };
+
+static int bears(struct largest *s, struct borne *at)
+{
+  struct libmlg_interval interval;
+
+  if (libmlg_uses(s->layout, s->k_s) == 1)
+    s->par[s->k_s] = at->u > 0. ? s->k_psi * (1. / fmin(at->u, 1. - 1e-6) - 1.) : MLG_RIGID;
+  if (libmlg_uses(s->layout, s->b) == 1)
+    s->par[s->b] = at->b;
+  libmlg_set(s->par, LIBMLG_F_Z, at->F_z);
+  if (libmlg_intervals(s->layout, s->par, 0., s->V_least, s->V_top, &interval, 1) < 1)
     return 0;
-  *w = here;
+  at->interval = interval;
   return 1;
 }
 
-/* The largest load at one b that is above `floor`, or 0: a grid up to F_most, then bisection
- * above its last load with an interval. */
-static double largest_at_b(int layout, double par[], double floor, double F_most, double b, double V_least, double V_top,
-                           struct libmlg_widest *w)
+/* The largest load at one k_s and b that is not below `floor`, else 0: the last of a grid up to
+ * F_most that is borne, then bisection above it. */
+static struct borne largest_at(struct largest *s, double u, double b, double floor)
 {
-  double lo = 0., hi;
+  const double node = (s->F_most - floor) / NODES_LOAD;
+  struct borne best = { 0., u, b, { { .c_d = 0. }, { .c_d = 0. } } }, here = best;
+  double hi;
 
-  if (floor > 0. && !bears(layout, par, floor * (1. + 1e-9), b, V_least, V_top, w))
-    return 0.;
-  for (int i = 0; i <= 40; i++) {
-    const double F_z = floor + (F_most - floor) * i / 40.;
-
-    if (i == 0 ? floor > 0. : bears(layout, par, F_z, b, V_least, V_top, w))
-      lo = F_z;
+  for (int i = 0; i <= NODES_LOAD; i++) {
+    here.F_z = floor + i * node;
+    if (here.F_z > 0. && bears(s, &here))
+      best = here;
   }
-  if (!(lo > 0.) || lo >= F_most)
-    return lo;
-  for (hi = lo + (F_most - floor) / 40.; hi - lo > 1e-8 * hi;) {
-    const double middle = 0.5 * (lo + hi);
-
-    if (bears(layout, par, middle, b, V_least, V_top, w))
-      lo = middle;
+  if (!(best.F_z > 0.))
+    return best;
+  for (hi = fmin(best.F_z + node, s->F_most); hi - best.F_z > 1e-11 * hi;) {
+    here.F_z = 0.5 * (best.F_z + hi);
+    if (bears(s, &here))
+      best = here;
     else
-      hi = middle;
+      hi = here.F_z;
   }
-  return lo;
+  return best;
+}
+
+static struct borne larger(struct borne a, struct borne b)
+{
+  return b.F_z > a.F_z ? b : a;
+}
+
+static struct borne over_u(struct largest *s, double u, double b, double floor)
+{
+  return largest_at(s, u, b, floor);
+}
+
+/* Golden section beside best, over u, or over b with `at` looking for the best u. */
+static struct borne golden(struct largest *s, struct borne best, int over_b, double left, double right, double tolerance,
+                           struct borne (*at)(struct largest *s, double u, double b, double floor))
+{
+  const double ratio = 0.6180339887498949, floor = 0.9 * best.F_z, u = best.u, b = best.b;
+  double x = right - ratio * (right - left), y = left + ratio * (right - left);
+  struct borne at_x = at(s, over_b ? u : x, over_b ? x : b, floor), at_y = at(s, over_b ? u : y, over_b ? y : b, floor);
+
+  while (right - left > tolerance) {
+    best = larger(best, larger(at_x, at_y));
+    if (at_x.F_z > at_y.F_z || (at_x.F_z == at_y.F_z && (over_b ? best.b < y : best.u < y))) {
+      right = y;
+      y = x;
+      at_y = at_x;
+      x = right - ratio * (right - left);
+      at_x = at(s, over_b ? u : x, over_b ? x : b, floor);
+    } else {
+      left = x;
+      x = y;
+      at_x = at_y;
+      y = left + ratio * (right - left);
+      at_y = at(s, over_b ? u : y, over_b ? y : b, floor);
+    }
+  }
+  return best;
+}
+
+/* The best k_s at one b: of a grid, then beside its best. */
+static struct borne over_k_s(struct largest *s, double ignored, double b, double floor)
+{
+  const int nodes = libmlg_uses(s->layout, s->k_s) == 1 ? FINE_NODES : 0;
+  struct borne best = { .F_z = 0., .b = b };
+
+  (void)ignored;
+  for (int i = 0; i <= nodes; i++)
+    best = larger(best, largest_at(s, nodes ? (double)i / nodes : 0., b, fmax(floor, best.F_z * (1. + 1e-12))));
+  if (nodes && best.F_z > 0.)
+    best = golden(s, best, 0, fmax(best.u - 1. / nodes, 0.), fmin(best.u + 1. / nodes, 1.), 1e-11, over_u);
+  return best;
 }
 
 int libmlg_largest_load(int layout, const double par[], double F_most, double b_least, double b_most, double V_least,
                         double V_top, struct libmlg_load *load)
 {
-  const int over_b = libmlg_uses(layout, libmlg_parameter("b")) == 1 && b_most > b_least;
-  const double node = (b_most - b_least) / NODES;
-  double p[LIBMLG_MOST_PARAMETERS];
-  struct libmlg_widest w;
+  struct largest s = { .layout = layout, .k_s = libmlg_parameter("k_s"), .b = libmlg_parameter("b"), .F_most = F_most,
+                       .V_least = V_least, .V_top = V_top };
+  const int nodes = libmlg_uses(layout, s.b) == 1 && b_most > b_least ? NODES_LARGEST_B : 0;
+  const double node = (b_most - b_least) / NODES_LARGEST_B;
+  struct borne best = { .F_z = 0. };
 
   if (!libmlg_find(layout))
     return LIBMLG_NONE;
-  memcpy(p, par, (size_t)libmlg_parameters() * sizeof *par);
-  *load = (struct libmlg_load){ .F_z = 0., .b = b_least };
-  for (int i = 0; i <= (over_b ? NODES : 0); i++) {
-    const double b = b_least + i * node, F_z = largest_at_b(layout, p, load->F_z, F_most, b, V_least, V_top, &w);
-
-    if (F_z > load->F_z)
-      *load = (struct libmlg_load){ F_z, w.k_s, b, w.interval };
-  }
-  if (!over_b || !(load->F_z > 0.))
-    return 0;
-  double left = fmax(load->b - node, b_least), right = fmin(load->b + node, b_most);
-  double x = right - golden_ratio * (right - left), y = left + golden_ratio * (right - left);
-  struct libmlg_widest at_x, at_y;
-  double F_x = largest_at_b(layout, p, 0., F_most, x, V_least, V_top, &at_x);
-  double F_y = largest_at_b(layout, p, 0., F_most, y, V_least, V_top, &at_y);
-
-  while (right - left > 1e-4 * node) {
-    if (F_x > load->F_z)
-      *load = (struct libmlg_load){ F_x, at_x.k_s, x, at_x.interval };
-    if (F_y > load->F_z)
-      *load = (struct libmlg_load){ F_y, at_y.k_s, y, at_y.interval };
-    if (F_x > F_y) {
-      right = y;
-      y = x;
-      F_y = F_x;
-      at_y = at_x;
-      x = right - golden_ratio * (right - left);
-      F_x = largest_at_b(layout, p, 0., F_most, x, V_least, V_top, &at_x);
-    } else {
-      left = x;
-      x = y;
-      F_x = F_y;
-      at_x = at_y;
-      y = left + golden_ratio * (right - left);
-      F_y = largest_at_b(layout, p, 0., F_most, y, V_least, V_top, &at_y);
-    }
-  }
+  memcpy(s.par, par, (size_t)libmlg_parameters() * sizeof *par);
+  s.k_psi = par[libmlg_parameter("k_psi")];
+  for (int i = 0; i <= nodes; i++)
+    best = larger(best, over_k_s(&s, 0., b_least + i * node, best.F_z * (1. + 1e-12)));
+  if (nodes && best.F_z > 0.)
+    best = golden(&s, best, 1, fmax(best.b - node, b_least), fmin(best.b + node, b_most), 1e-5 * node, over_k_s);
+  *load = (struct libmlg_load){ best.F_z, INFINITY, best.b, best.interval };
+  if (libmlg_uses(layout, s.k_s) == 1 && best.u > 0.)
+    load->k_s = s.k_psi * (1. / fmin(best.u, 1. - 1e-6) - 1.);
   return 0;
 }

@@ -172,9 +172,9 @@ static int ask_predicted(struct search *s, double b)
   return 1;
 }
 
-/* Tests all corners at a design and a hair less than p; the few that fail earliest are asked
- * from now on.  Returns how many are new. */
-static int ask_failing(struct search *s, const struct best *best)
+/* Tests all corners at a design and a hair less than p, and at the parts of p below; the few
+ * that fail earliest are asked from now on.  Returns how many are new. */
+static int ask_failing(struct search *s, const struct best *best, int parts)
 {
   double par[LIBMLG_MOST_PARAMETERS], p = best->p * (1. - 1e-8);
   const int before = s->n;
@@ -184,7 +184,7 @@ static int ask_failing(struct search *s, const struct best *best)
   par[s->c_d] = best->c_d;
   const struct box_at d = { s->layout, par, &s->box, s->V_least, s->V_top };
 
-  for (int part = 0; part < BOX_PARTS && s->n == before; part++) {
+  for (int part = 0; part < parts && s->n == before; part++) {
     unsigned last[NEW_CORNERS]; /* of those that fail earlier than all before them */
     int failing = 0;
 
@@ -254,14 +254,14 @@ static struct best best_at_b(struct search *s, double b)
     best.p = 0.;
     for (int i = 1; i <= nodes; i++)
       best = better(best, value_at(s, (double)i / nodes, b, best.p));
-  } while (best.p > 0. && ask_failing(s, &best) > 0);
+  } while (best.p > 0. && ask_failing(s, &best, BOX_PARTS) > 0);
   if (nodes == 1 || !(best.p > 0.))
     return best;
   const double u = best.u;
 
   do
     best = golden(s, value_at(s, u, b, 0.), fmax(u - 1. / nodes, 1e-6), fmin(u + 1. / nodes, 1.), 1e-7, at_u);
-  while (best.p > 0. && ask_failing(s, &best) > 0);
+  while (best.p > 0. && ask_failing(s, &best, BOX_PARTS) > 0);
   return best;
 }
 
@@ -305,37 +305,24 @@ int libmlg_most_tolerant(int layout, const double par[], double b_least, double 
 
 /* --- a map ------------------------------------------------------------------------------------ */
 
-enum { WHOLE_EVERY = 11 };
-
-int libmlg_tolerance_map(int layout, const double par[], struct libmlg_design node[], int n, double V_least, double V_top,
-                         int *asked)
+int libmlg_tolerance_map(int layout, const double par[], struct libmlg_design node[], int n, double V_least, double V_top)
 {
   struct search s;
-  int before, whole;
 
   if (search_begin(&s, layout, par, V_least, V_top) != 0)
     return LIBMLG_NONE;
-  do {
-    before = s.n;
-    whole = 0;
-    for (int i = 0; i < n; i++) {
-      const double u = 1. / (1. + node[i].k_s / s.k_psi);
-      struct best here;
+  for (int i = 0; i < n; i++) {
+    const double u = 1. / (1. + node[i].k_s / s.k_psi);
+    struct best here = { .p = 0. };
 
-      place(&s, node[i].k_s, node[i].b);
-      set_box(&s);
-      if (s.n == 0 && !ask_predicted(&s, node[i].b)) {
-        node[i].p = node[i].c_d = 0.;
-        continue;
-      }
-      do {
+    place(&s, node[i].k_s, node[i].b);
+    set_box(&s);
+    if (s.n > 0 || ask_predicted(&s, node[i].b))
+      do
         here = value_at(&s, u, node[i].b, 0.);
-        whole += i % WHOLE_EVERY == 0;
-      } while (i % WHOLE_EVERY == 0 && here.p > 0. && ask_failing(&s, &here) > 0);
-      node[i].p = here.p;
-      node[i].c_d = here.p > 0. ? here.c_d : 0.;
-    }
-  } while (s.n > before);
-  *asked = s.n;
-  return whole;
+      while (here.p > 0. && ask_failing(&s, &here, 1) > 0);
+    node[i].p = here.p;
+    node[i].c_d = here.c_d;
+  }
+  return 0;
 }

@@ -51,17 +51,33 @@ static double seconds(void)
   return (double)clock() / CLOCKS_PER_SEC;
 }
 
-/* The library's intervals; n < 0: it refuses. */
-static struct ranges of_library(int layout, const struct oracle_gear *gear)
+static void to_library(const struct oracle_gear *gear, double par[])
 {
   struct oracle_gear copy = *gear;
-  struct libmlg_interval out[ORACLE_MOST];
-  double par[LIBMLG_MOST_PARAMETERS];
-  struct ranges r = { .n = 0 };
 
   libmlg_defaults(par);
   for (int i = 0; i < ORACLE_PARAMETER_COUNT; i++)
     par[libmlg_parameter(oracle_name[i])] = *oracle_at(&copy, i);
+}
+
+/* Its answer for this c_d alone. */
+static int is_free(int layout, const struct oracle_gear *gear, double c_d)
+{
+  double par[LIBMLG_MOST_PARAMETERS];
+
+  to_library(gear, par);
+  par[libmlg_parameter("c_d")] = c_d;
+  return libmlg_is_free(libmlg_layout(oracle_layout_name[layout]), par, 0., 0., gear->V_top);
+}
+
+/* The library's intervals; n < 0: it refuses. */
+static struct ranges of_library(int layout, const struct oracle_gear *gear)
+{
+  struct libmlg_interval out[ORACLE_MOST];
+  double par[LIBMLG_MOST_PARAMETERS];
+  struct ranges r = { .n = 0 };
+
+  to_library(gear, par);
   memset(out, 0, sizeof out);
   r.n = libmlg_intervals(libmlg_layout(oracle_layout_name[layout]), par, 0., 0., gear->V_top, out, ORACLE_MOST);
   for (int i = 0; i < r.n && i < ORACLE_MOST; i++) {
@@ -192,8 +208,14 @@ static void differences(const char *what, int layout, const struct oracle_gear *
     const double inside = !(lo > 0.) ? hi / 2. : hi < INFINITY ? sqrt(lo) * sqrt(hi) : 2. * lo;
     const bool of_oracle = among(oracle, inside), of_library = among(library, inside);
 
-    if (of_oracle == of_library)
+    if (of_oracle == of_library) {
+      if (width > thin && isfinite(inside) && is_free(layout, gear, inside) != of_library) {
+        printf("%s layout=%s: refused: libmlg_is_free() contradicts libmlg_intervals() at c_d = %.17g\n", what,
+               oracle_layout_name[layout], inside);
+        count->refused++;
+      }
       continue;
+    }
     if (width <= agree) {
       count->worst = fmax(count->worst, width);
       continue;

@@ -137,11 +137,8 @@ static int map(int argc, char *argv[])
       node[j * k_s.n + i] = (struct libmlg_design){ .k_s = k_s.from * pow(k_s.to / k_s.from, (double)i / (k_s.n - 1)),
                                                     .b = b.from + (b.n > 1 ? (b.to - b.from) * j / (b.n - 1) : 0.) };
 
-  int asked;
-  const int whole = checked(name, libmlg_tolerance_map(a.layout, a.par, node, nodes, 0., a.V_top, &asked));
-
-  printf("# k_s N m/rad, b N m s^2/rad, c_d N m s/rad; p %%; from %d corners, all corners at %d of the %d nodes\nk_s,b,c_d,p\n", asked,
-         whole, nodes);
+  checked(name, libmlg_tolerance_map(a.layout, a.par, node, nodes, 0., a.V_top));
+  printf("# k_s N m/rad, b N m s^2/rad, c_d N m s/rad; p %%\nk_s,b,c_d,p\n");
   for (int i = 0; i < nodes; i++)
     printf("%.8g,%.8g,%.8g,%.6g\n", node[i].k_s, node[i].b, node[i].c_d, 100. * node[i].p);
   free(node);
@@ -210,7 +207,6 @@ const struct command command_tolerance = {
     "  corner, corners   the first that shimmies, + and - of each parameter; how many there are\n"
     "  sample, failing   points of a Halton sequence in the box of size p, and how many of them\n"
     "                    shimmy: corners are no proof for what lies between them\n"
-    "A map asks only corners that failed first somewhere; the comment says how many, and at how many\n"
-    "nodes all corners were tested.\n",
+    "A map has p at each node from all corners, at p alone and not at parts of it.\n",
   .run = run,
 };
