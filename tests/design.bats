@@ -27,6 +27,8 @@ oracle_shimmies() {
     "build/bin/eigen-$layout" eigenvalues V="${LEAST:-100}" "$@" | awk 'NR > 1 && $1 > 1e-9 { n++ } END { exit !n }'
 }
 
+oracle_is_free() { if oracle_shimmies "$@"; then echo "shimmy at $*"; return 1; fi; }
+
 value_of() { # NAME: the default of models/mlg.h
   case $1 in F_z) echo 200000 ;; *) mlg gearinfo | awk -F, -v name="$1" '$1 == name { print $2 }' ;; esac
 }
@@ -50,16 +52,19 @@ corner_words() {
 }
 
 @test "elasticities are the differences of intervals and of the least damping ratio" {
-  local case layout words name value lo hi zeta c_d unit
+  local case layout words name value lo hi zeta c_d others sign at word n=0
   for case in "l1" "l2 k_s=5e5" "li1 k_s=6e5 b=140" "li2 k_s=1.5e6 b=100"; do
     read -r layout words <<< "$case"
     # shellcheck disable=SC2086 # one word for each parameter
     mlg elasticities "$layout" $words > table
     c_d=$(sed -n '1s/.*c_d = //p' table)
-    while IFS=, read -r name value unit lo hi zeta; do
+    while IFS=, read -r name value _ lo hi zeta; do
       [ -n "$lo" ] || continue
+      n=$((n + 1))
+      [ $((n % 3)) = 0 ] || [ "$name" = F_z ] || continue # a third of them, others for each layout
       [ "$name" != g ] || continue # differenced with M fixed it is F_z and what hangs on m_D
-      case " $words " in *" $name="*) others=$(sed "s/ *$name=[^ ]*//" <<< "$words") ;; *) others=$words ;; esac
+      others=''
+      for word in $words; do case $word in "$name="*) ;; *) others+="$word " ;; esac; done
       for sign in - +; do
         at=$(awk -v x="$value" -v s="$sign" 'BEGIN { printf "%.15g", x * (1 + (s == "+" ? 1 : -1) * 1e-5) }')
         # shellcheck disable=SC2086
@@ -80,7 +85,7 @@ corner_words() {
 }
 
 @test "no corner shimmies a little inside the tolerance, by the oracle, and the named one does outside" {
-  local case layout words p V corner sign random
+  local case layout words p V corner sign random outside inside
   for case in "l1 c_d=2774" "l2 k_s=4.954e5 c_d=6292" "li2 k_s=989006 b=98 c_d=8016"; do
     read -r layout words <<< "$case"
     # shellcheck disable=SC2086
@@ -94,23 +99,23 @@ corner_words() {
     # shellcheck disable=SC2086
     LEAST=$(awk "BEGIN { print $V - 3 }") MOST=$(awk "BEGIN { print $V + 3 }") STEP=0.01 oracle_shimmies "$layout" $outside
     # shellcheck disable=SC2086
-    ! LEAST=$(awk "BEGIN { print $V - 3 }") MOST=$(awk "BEGIN { print $V + 3 }") STEP=0.01 oracle_shimmies "$layout" $inside
+    LEAST=$(awk "BEGIN { print $V - 3 }") MOST=$(awk "BEGIN { print $V + 3 }") STEP=0.01 oracle_is_free "$layout" $inside
     for random in 1 2 3; do
       sign=$(awk -v seed="$random" -v text="$corner" 'BEGIN { srand(seed); n = split(text, part, " ")
         for (i = 1; i <= n; i++) { sub(/[+-]$/, "", part[i]); printf "%s%s ", part[i], rand() < 0.5 ? "+" : "-" } }')
       # shellcheck disable=SC2086,SC2046
-      ! oracle_shimmies "$layout" $(corner_words "$(awk "BEGIN { print 0.99 * $p }")" $words -- $sign)
+      oracle_is_free "$layout" $(corner_words "$(awk "BEGIN { print 0.99 * $p }")" $words -- $sign)
     done
   done
 }
 
 @test "the design of the largest tolerance: as found once, and none beside it is better" {
-  local layout k_s b c_d p
+  local k_s c_d p f g
   near "$(cell p tolerance l1 best sample=0)" 0.135135 1e-5 "p of L1"
   near "$(cell p tolerance l2 best sample=0)" 0.486101 1e-5 "p of L2"
-  mlg tolerance li2 best b=98 sample=0 > best
-  near "$(sed -n 3p best | cut -d, -f4)" 3.31972 1e-5 "p of LI2 at b = 98"
-  IFS=, read -r k_s b c_d p _ < <(sed -n 3p best)
+  mlg tolerance li2 best b=98 sample=0 > found
+  near "$(sed -n 3p found | cut -d, -f4)" 3.31972 1e-5 "p of LI2 at b = 98"
+  IFS=, read -r k_s _ c_d p _ < <(sed -n 3p found)
   while read -r f g; do
     awk -v p="$p" -v other="$(cell p tolerance li2 b=98 sample=0 k_s="$(awk "BEGIN { print $f * $k_s }")" c_d="$(awk "BEGIN { print $g * $c_d }")")" \
       'BEGIN { print p, other; exit !(other < p) }'
@@ -118,18 +123,18 @@ corner_words() {
 }
 
 @test "a map is the tolerance of its designs" {
-  local k_s b c_d p n=0
-  mlg tolerance l2 map k_s=4.9e5:1e6:4 > map
-  while IFS=, read -r k_s b c_d p; do
+  local k_s c_d p n=0
+  mlg tolerance l2 map k_s=4.9e5:1e6:4 > nodes
+  while IFS=, read -r k_s _ c_d p; do
     [ "$p" != 0 ] || continue
     near "$(cell p tolerance l2 k_s="$k_s" c_d="$c_d" sample=0)" "$p" 1e-3 "p at k_s = $k_s"
     n=$((n + 1))
-  done < <(sed 1,2d map)
+  done < <(sed 1,2d nodes)
   [ "$n" -gt 2 ]
 }
 
 @test "loads: intervals at a load, the design of a range, the largest load" {
-  local F c_d k_s b best f
+  local F c_d k_s best f
   near "$(mlg loads l2 k_s=7e5 from=150e3 to=190e3 step=20e3 | sed -n 4p | cut -d, -f4)" \
     "$(cell c_lo intervals l2 k_s=7e5 F_z=170e3)" 1e-9 "c_lo at 170 kN"
   # at its largest load a layout bears, and no more
@@ -139,11 +144,11 @@ corner_words() {
   near "$(cell F_z loads li1 largest b=140)" 207774.71 1e-6 "largest load of LI1 at b = 140"
   c_d=$(cell c_d loads l1 largest)
   oracle_shimmies l1 c_d="$c_d" M="$(awk "BEGIN { printf \"%.12g\", 1.001 * $F / 9.81 - 500 }")"
-  ! oracle_shimmies l1 c_d="$c_d" M="$(awk "BEGIN { printf \"%.12g\", 0.999 * $F / 9.81 - 500 }")"
+  oracle_is_free l1 c_d="$c_d" M="$(awk "BEGIN { printf \"%.12g\", 0.999 * $F / 9.81 - 500 }")"
   # the least ratio over a range of loads, and no c_d beside has a better one
-  mlg loads l2 over from=180e3 to=200e3 step=1e3 > over
-  best=$(sed 1,2d over | cut -d, -f9 | sort -g | head -n 1)
-  IFS=, read -r _ k_s b _ _ _ _ c_d _ < <(sed -n 3p over)
+  mlg loads l2 over from=180e3 to=200e3 step=1e3 > rows
+  best=$(sed 1,2d rows | cut -d, -f9 | sort -g | head -n 1)
+  IFS=, read -r _ k_s _ _ _ _ _ c_d _ < <(sed -n 3p rows)
   for f in 0.99 1.01; do
     awk -v best="$best" -v other="$(mlg loads l2 k_s="$k_s" c_d="$(awk "BEGIN { print $f * $c_d }")" from=180e3 to=200e3 step=1e3 | sed 1,2d | cut -d, -f9 | sort -g | head -n 1)" \
       'BEGIN { print best, other; exit !(other < best) }'
@@ -177,7 +182,8 @@ corner_words() {
   printf 'c_d uniform -1%% 1%%\nF_z uniform -0.5%% 0.5%%\n' > spread
   mlg probability l2 k_s=5e5 c_d=6300 spread=spread samples=2000 V_step=50 > one
   mlg probability l2 k_s=5e5 c_d=6300 spread=spread samples=2000 V_step=50 | cmp - one
-  ! mlg probability l2 k_s=5e5 c_d=6300 spread=spread samples=2000 V_step=50 seed=2 | cmp -s - one
+  mlg probability l2 k_s=5e5 c_d=6300 spread=spread samples=2000 V_step=50 seed=2 > two
+  run ! cmp -s one two
   awk -F, '$1 == 200 { exit !($2 == 0 && $3 == 0 && $4 == 0 && $5 > 0.0015 && $5 < 0.0025) }' one
 }
 

@@ -238,7 +238,7 @@ static int run(int argc, char *argv[])
 
 const struct command command_loads = {
   .name = name,
-  .usage = "LAYOUT [widest | damped | over | largest] [NAME=VALUE ...] [from=1e5] [to=2.5e5] [step=5e3] [b_least=0 b_most=VALUE] [V_least=0.3]",
+  .usage = "LAYOUT [widest | damped | over | largest] [NAME=VALUE ...] [OPTION=VALUE ...]",
   .summary = "zero-shimmy intervals and damping over the static load F_z",
   .details =
     "F_z = (M + m_D) g enters through M; m_D stays.  A row for each load from `from` to `to`:\n"
@@ -251,7 +251,8 @@ const struct command command_loads = {
     "                                     is largest\n"
     "  mlg loads li2 largest b_most=300   one row: the largest load, up to `to` (4e5), at which any\n"
     "                                     device has a zero-shimmy interval\n"
-    "With b_most b is looked for as well (libmlg.h says how).  CSV:\n"
+    "OPTION: from=1e5, to=2.5e5, step=5e3, V_least=0.3; with b_most (b_least=0) b is looked for as\n"
+    "well (libmlg.h says how).  CSV:\n"
     "  F_z, k_s, b                N, N m/rad (inf: rigid), N m s^2/rad\n"
     "  c_lo, c_hi, width, ratio   the widest zero-shimmy interval, N m s/rad, c_hi/c_lo; empty and 0:\n"
     "                             none\n"

@@ -100,7 +100,7 @@ const struct command command_probability = {
     "exactly: all Hopf speeds at its c_d, and the eigenvalues between them.  CSV:\n"
     "  V                   m/s; any: at one speed or another up to V_top\n"
     "  count, probability  samples with shimmy there, and their part\n"
-    "  lo, hi              Wilson's interval at a confidence of 95 %, each row by itself; random numbers are\n"
-    "                      those of the seed, so that all rows are of the same samples\n",
+    "  lo, hi              Wilson's interval at a confidence of 95 %, each row by itself; all rows\n"
+    "                      are of the same samples, those of the seed\n",
   .run = run,
 };
