@@ -275,9 +275,9 @@ int libmlg_points_and_intervals(int layout, const double par[], double zeta, dou
 double libmlg_damping_ratio(int layout, const double par[]);
 
 /* Whether straight rolling is stable (has at least the ratio zeta) at the c_d of par[] and
- * every V_least < V < V_top: 1 or 0, or LIBMLG_NONE (also for a c_d that is no number).  Exact as libmlg_intervals and several
- * times cheaper: the crossings at that one c_d are the roots of one polynomial, and without
- * any the eigenvalues at one speed decide. */
+ * every V_least < V < V_top: 1 or 0, or LIBMLG_NONE (also for a c_d that is no number).  Exact
+ * as libmlg_intervals and several times cheaper: the crossings at that one c_d are the roots of
+ * one polynomial, and without any the eigenvalues at one speed decide. */
 int libmlg_is_free(int layout, const double par[], double zeta, double V_least, double V_top);
 
 /* Speeds with shimmy, m/s. */
