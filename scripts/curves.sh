@@ -20,13 +20,32 @@ hopf_start() { # NAME LAYOUT V [PARAMETER=VALUE ...]
   run "$1" "$2.straight" "${@:4}" V="$from" DS=0.00025 DSMAX=0.00025 UZSTOP="{'V': $to}" -- HB=1 UZ=1 > /dev/null
 }
 
+# follow_curve RUN DSMAX WORD...: in smaller steps, and without a search for other points
+# on the way, where AUTO runs past a stop or off to another curve, so that the run is
+# rejected or lacks an extremum.  kind and turns of hopf_curves say what it has to have.
+follow_curve() {
+  local name=$1 step=$2 cut status finer=() why=build/tables/$1.why
+  shift 2
+  for cut in 1 3 10; do
+    status=0
+    # shellcheck disable=SC2086 # a word or none
+    { mlg run "$name" "$@" "${finer[@]}" DSMAX="$(awk -v step="$step" -v cut="$cut" 'BEGIN { printf "%.6g", step / cut }')" -- &&
+      mlg curve "$name" extrema="$turns" ${kind/open/}; } > /dev/null 2> "$why" || status=$?
+    finer=(ISP=0 NMX=50000)
+    [ "$status" -eq 1 ] || break
+  done
+  [ "$status" -eq 0 ] || cat "$why" >&2
+  rm -f "$why"
+  [ "$status" -eq 0 ] || exit "$status"
+}
+
 # hopf_curves LAYOUT NAME [WORD ...]
 # A curve takes two runs: a short straight one across its starting point, which
 # finds the Hopf point there, then the curve, from edge to edge or once round.
 hopf_curves() {
   local layout=$1 name=$2 word started=${EPOCHREALTIME/./} closed=0 table
   local V_least=0.1 V_top=200 c_least=10 c_most=8e4 values=()
-  local number kind c_d from to small stop DS step at
+  local number kind c_d from to small stop DS step at turns
   shift 2
   for word; do
     case $word in V_least=* | V_top=* | c_least=* | c_most=*) local "$word" ;; *) values+=("$word") ;; esac
@@ -34,15 +53,15 @@ hopf_curves() {
   table=build/tables/$name.curves
   mlg curves "$layout" "${values[@]}" V_least="$V_least" V_top="$V_top" c_least="$c_least" c_most="$c_most" > "$table" || exit $?
   use "$table"
-  while IFS=, read -r number kind _ c_d _ from to small stop DS step at _; do
+  while IFS=, read -r number kind _ c_d _ from to small stop DS step at turns; do
     case $number in curve) continue ;; esac
     [ "$kind" = open ] || closed=$((closed + 1))
     run "$name.$number.start" "$layout.straight" "${values[@]}" c_d="$c_d" V="$from" DS="$small" DSMAX="$small" \
       UZSTOP="{'V': $to}" -- HB=1 UZ=1 > /dev/null
     # AUTO is to put a point on each extremum
-    run "$name.$number" "$layout.hopf" from="$name.$number.start" "${values[@]}" DS="$DS" DSMAX="$step" ILP=0 \
+    follow_curve "$name.$number" "$step" "$layout.hopf" from="$name.$number.start" "${values[@]}" DS="$DS" ILP=0 \
       UZR="{${at:+'V': [${at// /, }]}}" \
-      UZSTOP="{'V': [$V_least, $V_top], 'c_d': [$c_least, $c_most]${stop:+, 'period': $stop}}" -- > /dev/null
+      UZSTOP="{'V': [$V_least, $V_top], 'c_d': [$c_least, $c_most]${stop:+, 'period': $stop}}"
   done < "$table"
   printf '  %-28s %5d ms  %d curves, %d closed\n' "$name" $(((${EPOCHREALTIME/./} - started) / 1000)) $(($(wc -l < "$table") - 1)) "$closed"
 }

@@ -298,6 +298,30 @@ intervals() {
   near "$(cell k_s widest l2 "${quarter[@]}")" 196630.9342 1e-8 "k_s of a quarter"
 }
 
+@test "a strip of instability narrower than 1 m/s across a whole interval" {
+  local gear=(k_s=4.835e5 b=20) strip=(k_s=4.835e5 b=20 c_delta=283.2468) c_d from to n=0
+  paste -d ' ' <(intervals li4 "${gear[@]}" c_delta=283.3 | xargs -n 1) <(printf '%s\n' 4455.095905 4536.889204) | near_each 1e-6 "end of the interval"
+  # 2 parts in 10^4 less damping of delta
+  [ -z "$(intervals li4 "${strip[@]}")" ]
+  for c_d in 4456 4475 4496 4516 4536; do
+    read -r from to < <(crossings li4 free=V from=20 to=60 step=0.02 c_d=$c_d "${strip[@]}" | xargs)
+    n=$((n + $(awk -v from="$from" -v to="$to" 'BEGIN { print to > from && to - from < 0.85 }')))
+    [ "$(cell zeta damping li4 c_d=$c_d "${strip[@]}" | cut -c 1)" = - ]
+  done
+  [ "$n" -eq 5 ]
+}
+
+@test "a rigid k_s as compliance=0 and -0" {
+  local zero
+  intervals l2 k_s=inf >rigid
+  for zero in 0 -0 +0 -0.0 0e5; do
+    intervals l2 compliance=$zero | diff - rigid
+    [ "$(mlg damping l2 c_d=2900 compliance=$zero)" = "$(mlg damping l2 c_d=2900)" ]
+    diff <(mlg starts l2 compliance=$zero) <(mlg starts l2 k_s=inf)
+  done
+  run -2 mlg intervals l2 compliance=-1e-9
+}
+
 ## AUTO
 
 @test "boundary points that AUTO follows to 30 random (layout, k_s, b) are extrema by the eigenvalues" {
@@ -429,6 +453,19 @@ intervals() {
   [ "$(mlg curves l2 k_s=786522 | grep -c ',delta,')" -eq 0 ]
   scripts/curves.sh l2 island k_s=786525
   [ "$(awk -F, '$2 == "delta" && $3 == "LP"' build/tables/island.csv | wc -l)" -eq 2 ]
+}
+
+@test "the Hopf curves of other gears: AUTO takes smaller steps where it ran past a stop, or off a curve" {
+  local layout gear
+  while read -r layout gear; do
+    # shellcheck disable=SC2086 # words
+    run -0 scripts/curves.sh "$layout" other $gear
+    [[ ${lines[0]} == *' curves, '* ]]
+  done <<'END'
+li1 k_s=9761380.112 b=0 k_d=54478.48353 k_psi=392009.0477 c_psi=146.7058674 k_delta=14070215.12 c_delta=131.5851928 a=0.1598843022 e=-0.03552834809 l_delta=2.000404864 l_D=0.4280195387 m_D=1282.392292 J_xi=598.3759343 J_eta=99.21029616 J_zeta=78.38714627 phi=0.02343072164 h=0.03905330662 k_t=2074727.419 k_alpha=0.8543688371 k_lambda=0.001685151076 l=0.2176660974 R=1.393363828 g=3.395046431 M=6392.052397 V_top=371.2254185
+l1 k_d=341641.4553 k_psi=1163144.583 c_psi=224.99284 k_delta=2399087.539 c_delta=788.4243904 a=1.744562674 e=-0.3620814328 l_delta=2.474255111 l_D=0.1987527132 m_D=547.7341838 J_xi=98.81988517 J_eta=230.1462686 J_zeta=58.4990915 phi=0.1952496436 h=0.07212959917 k_t=794857.6714 k_alpha=0.3369488938 k_lambda=0.0011197837 l=0.1712575057 R=0.2571874423 g=6.990056756 M=51737.9987 V_top=363.8372494
+END
+  [ -z "$(find build/tables -name '*.why')" ]
 }
 
 @test "the curves of boundary points of another gear are followed from its own" {

@@ -465,7 +465,7 @@ readonly minutes=(DSMAX=1e-6 NMX=99999)
       run stopped.straight l1.straight -- HB=4
       run stopped.psi l1.periodic from=stopped.straight "$@" --' bash "${minutes[@]}"
     kill -$signal -- -$pid
-    run ! wait $pid
+    ended_badly $pid
     [ ! -e build/runs/stopped.psi ]
     run -0 auto_run stopped.straight l1.straight -- HB=4
     [ -z "$output" ] # made before
@@ -483,7 +483,7 @@ readonly minutes=(DSMAX=1e-6 NMX=99999)
     auto=$(find /proc -maxdepth 2 -path '/proc/[0-9]*/exe' -lname "$SCRATCH/build/models/l1.exe" 2>/dev/null) || true
     [ -e "$auto" ]
     kill -$signal $pid
-    run ! wait $pid
+    ended_badly $pid
     for _ in {1..100}; do [ -e "$auto" ] || break; sleep 0.05; done
     [ ! -e "$auto" ]
     [ ! -e build/runs/stopped.alone ]

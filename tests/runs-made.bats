@@ -308,10 +308,13 @@ column() {
   for signal in INT TERM HUP KILL; do
     env --default-signal=INT build/bin/mlg run stopped l1.periodic from=straight DSMAX=0.002 NMX=50000 >/dev/null 2>&1 3>&- &
     pid=$!
-    until [ -s build/runs/stopped.part/b.stopped ]; do kill -0 $pid && sleep 0.02; done
+    until [ -s build/runs/stopped.part/b.stopped ]; do
+      kill -0 $pid || return
+      sleep 0.02
+    done
     auto=$(ps -o pid= --ppid $pid)
     kill -$signal $pid
-    run ! wait $pid
+    ended_badly $pid
     for tries in {1..100}; do
       grep -q '^State:[[:space:]]*[^ZX]' /proc/$((auto))/status 2>/dev/null || break
       sleep 0.05

@@ -390,7 +390,7 @@ start_slow() {
 @test "an interrupted run does not count, and is made again" {
   start_slow cut
   kill -TERM -- "-$pid"
-  run ! wait "$pid"
+  ended_badly "$pid"
   [ ! -e build/runs/cut ]
   run -2 auto_run after l1.torus_start from=cut -- EP=1
   run -0 slow cut
@@ -402,7 +402,7 @@ start_slow() {
 @test "a run whose script alone was killed is made again" {
   start_slow orphan
   kill -KILL "$pid"
-  run ! wait "$pid"
+  ended_badly "$pid"
   run -0 slow orphan # waits for the orphan
   [[ $output == *orphan*closed* ]]
 }
@@ -412,7 +412,7 @@ start_slow() {
   sha256sum build/runs/old/* >old.sums
   start_slow old
   kill -TERM -- "-$pid"
-  run ! wait "$pid"
+  ended_badly "$pid"
   sha256sum --check --quiet old.sums
 }
 

@@ -77,6 +77,14 @@ cell() {
     { print $place; exit }'
 }
 
+# ended_badly PID: waits for a job of this shell (which `run` would not, in a shell of its
+# own), whose status is not to be 0
+ended_badly() {
+  local status=0
+  wait "$1" || status=$?
+  [ "$status" -ne 0 ] || { echo "process $1 ended with status 0" && return 1; }
+}
+
 # near X Y RELATIVE [WHAT]
 near() {
   awk -v x="$1" -v y="$2" -v tolerance="$3" -v what="${4:-value}" 'BEGIN {

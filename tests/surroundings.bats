@@ -163,7 +163,7 @@ with_test() {
     until [ -s build/child ]; do kill -0 $pid && sleep 0.02; done
     child=$(<build/child)
     kill -$signal $pid
-    run ! wait $pid
+    ended_badly $pid
     for _ in {1..100}; do
       grep -q '^State:[[:space:]]*[^ZX]' "/proc/$child/status" 2>/dev/null || break
       sleep 0.05

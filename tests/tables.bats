@@ -99,3 +99,26 @@ END
 END
   [ "$(mlg areas ./t.csv layout=l1 bounds | grep -c '^$')" -eq 5 ] # the upper bound jumps
 }
+
+@test "what is no number is no number of a table: one line and status 2, nothing printed" {
+  printf 'k_s,c_lo,c_hi,width\n1e5,1,9,8\n2e5,nan,9,8\n' > nan.csv
+  printf 'k_s,c_lo,c_hi,width\n1e5,1,9,8\n2e5,2,,8\n' > empty.csv
+  printf 'k_s,c_lo,c_hi,width\n1e5,1,9,8\ninf,2,7,5\n2e5,-2,7,x\n' > text.csv
+  refuses 2 "areas: ./nan.csv: row 2 has 'nan' in column c_lo, expected a number" areas ./nan.csv
+  refuses 2 "areas: ./empty.csv: row 2 has '' in column c_hi, expected a number" areas ./empty.csv bounds
+  refuses 2 "areas: ./text.csv: row 3 has 'x' in column width, expected a number" areas ./text.csv
+  [ -z "$output" ]
+  [ "$(mlg areas ./text.csv k_s!=2e5)" = 1e5,1,9,8 ] # k_s = inf is no place on an axis
+  refuses 2 "pick: ./nan.csv: row 2 has 'nan' in column c_lo, expected a number above 0" pick ./nan.csv smooth=k_s,c_lo
+  refuses 2 "pick: ./text.csv: row 3 has '-2' in column c_lo, expected a number above 0" pick ./text.csv smooth=k_s,c_lo columns=width
+  [ -z "$output" ]
+  mlg pick ./nan.csv smooth=k_s,c_hi
+  { echo k_s,c_lo,c_hi,width && for i in {1..33}; do echo "1e5,$i,$i.5,0.5"; done; } > many.csv
+  refuses 2 'areas: ./many.csv: more than 32 intervals at k_s = 1e5' areas ./many.csv
+  # of a column without numbers none is the largest, and a text is not below a number
+  refuses 1 'cell: MISSING(./t.csv k_s largest=layout)' cell ./t.csv k_s largest=layout
+  refuses 1 'cell: MISSING(./t.csv k_s nearest:layout=3)' cell ./t.csv k_s nearest:layout=3
+  is 1e5 ./nan.csv k_s largest=c_lo
+  refuses 1 "cell: 'nan' < '3': expected numbers" cell ./nan.csv c_lo k_s=2e5 '<' 3
+  refuses 1 "cell: '3' >= '': expected numbers" cell 3 '>=' ./empty.csv c_hi k_s=2e5
+}

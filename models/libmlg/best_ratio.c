@@ -5,6 +5,7 @@
  * larger one.  Nothing is sampled that could be missed.
  */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -224,6 +225,29 @@ static void zoom(struct search *s, double u, double v, double half_u, double hal
   }
 }
 
+static double to_six_digits(double x)
+{
+  char text[32];
+
+  snprintf(text, sizeof text, "%.6g", x);
+  return strtod(text, NULL);
+}
+
+/* On a flat maximum rounding moves the place in its seventh digit: of k_s and b six are
+ * kept, with the best c_d there. */
+static void to_known_digits(struct search *s)
+{
+  struct libmlg_ratio here;
+
+  if (libmlg_uses(s->layout, s->k_s) == 1)
+    s->par[s->k_s] = to_six_digits(s->best.k_s);
+  if (libmlg_uses(s->layout, s->b) == 1 && s->b_most > s->b_least)
+    s->par[s->b] = fmin(fmax(to_six_digits(s->best.b), s->b_least), s->b_most);
+  if (libmlg_best_c_d(s->layout, s->par, s->V_least, s->V_top, &here) == 0
+      && here.zeta > s->best.zeta - 1e-4 * fabs(s->best.zeta))
+    s->best = here;
+}
+
 int libmlg_best_damped(int layout, const double par[], double b_least, double b_most, double V_least, double V_top,
                        struct libmlg_ratio *best)
 {
@@ -244,6 +268,8 @@ int libmlg_best_damped(int layout, const double par[], double b_least, double b_
         v = (double)j / (NODES_B - 1);
       }
   zoom(&s, u, v, over_k_s ? 1. / NODES_K_S : 0., over_b ? 1. / (NODES_B - 1) : 0.);
+  if (s.best.zeta > -1.)
+    to_known_digits(&s);
   *best = s.best;
   return s.best.zeta > -1. ? 0 : s.status;
 }

@@ -309,7 +309,9 @@ int libmlg_best_c_d(int layout, const double par[], double V_least, double V_top
 /* The c_d, k_s and b of the largest least ratio: over all k_s from rigid to 1e-6 k_psi and
  * b_least <= b <= b_most.  Exact in c_d; over k_s and b the best node of a grid of 64 by 33
  * (at each: is there an interval of c_d at the best ratio so far?), then finer and finer
- * grids about it, down to 1e-10 of the range.  Parameters the layout does not use stay. */
+ * grids about it, down to 1e-10 of the range.  k_s and b come with the six digits to which
+ * a flat maximum is known, c_d is the best one there.  Parameters the layout does not use
+ * stay. */
 int libmlg_best_damped(int layout, const double par[], double b_least, double b_most, double V_least, double V_top,
                        struct libmlg_ratio *best);
 

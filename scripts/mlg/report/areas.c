@@ -82,21 +82,27 @@ static void go_on(struct areas *a, const struct slice *before, struct slice *now
   }
 }
 
-static void join(struct areas *a, const struct condition condition[], int n)
+/* A line in why: a row that is no interval, or too many at one k_s. */
+static void join(struct areas *a, const struct condition condition[], int n, struct text *why)
 {
+  const int numbers[] = { a->k_s, a->c_lo, a->c_hi, a->width };
   struct slice before = { .n = 0 }, now = { .n = 0 };
-  double x;
 
   for (int row = 0; (row = next_fitting(a->table, row, condition, n)) >= 0; row++) {
-    if (!csv_is_number(csv_cell(a->table, row, a->k_s), &x) || x > 1e29)
+    if (csv_needs_numbers(a->table, row, numbers, 4, -HUGE_VAL, why) != 0)
+      return;
+    if (csv_number(a->table, row, a->k_s) > 1e29)
       continue;
     if (now.n > 0 && strcmp(csv_cell(a->table, row, a->k_s), csv_cell(a->table, now.row[0], a->k_s)) != 0) {
       go_on(a, &before, &now);
       before = now;
       now.n = 0;
     }
-    if (now.n < MOST_AT_ONE)
-      now.row[now.n++] = row;
+    if (now.n == MOST_AT_ONE) {
+      text_add(why, "%s: more than %d intervals at k_s = %s", a->table->file, MOST_AT_ONE, csv_cell(a->table, row, a->k_s));
+      return;
+    }
+    now.row[now.n++] = row;
   }
   go_on(a, &before, &now);
 }
@@ -113,13 +119,18 @@ static int find_columns(struct areas *a, struct text *why)
   return why->length > 0 ? -1 : 0;
 }
 
-static void print_areas(struct areas *a, int bounds)
+static void print_areas(const struct areas *a, int bounds)
 {
-  for (int i = 0; i < a->n; i++) {
+  for (int i = 0; i < a->n; i++)
     if (bounds)
       printf("%s\n%s\n", a->area[i].lower.at, a->area[i].upper.at);
     else
       printf("%s\n", a->area[i].rows.at);
+}
+
+static void free_areas(struct areas *a)
+{
+  for (int i = 0; i < a->n; i++) {
     text_free(&a->area[i].rows);
     text_free(&a->area[i].lower);
     text_free(&a->area[i].upper);
@@ -148,11 +159,13 @@ static int run(int argc, char *argv[])
           read_row_condition(&t, argv[i], &condition[n++], &why);
       }
   }
-  if (why.length == 0) {
-    join(&a, condition, n);
+  if (why.length == 0)
+    join(&a, condition, n, &why);
+  if (why.length == 0)
     print_areas(&a, bounds);
-  } else
+  else
     say_line("areas", why.at);
+  free_areas(&a);
   n = why.length > 0 ? MLG_BAD_INPUT : MLG_OK;
   csv_free(&t);
   free(condition);

@@ -264,7 +264,7 @@ static int chosen_row(const struct choice *c)
   for (; row >= 0; row = first_fitting(c, row + 1))
     if (merit(c, row) > merit(c, best) || isnan(merit(c, best)))
       best = row;
-  return best;
+  return best >= 0 && !isnan(merit(c, best)) ? best : -1; /* none of a column without numbers */
 }
 
 static int cell(struct reading *r, struct text *value)
@@ -367,6 +367,17 @@ static int holds(const char *first, const char *relation, const char *second)
          || (*relation == '>' && (order > 0. || (relation[1] && order == 0.)));
 }
 
+/* Texts are the same or not, none is less; not-a-number is a text. */
+static int are_ordered(const char *first, const char *relation, const char *second, struct text *why)
+{
+  double x;
+
+  if (strchr("=!", *relation) || (csv_is_number(first, &x) && csv_is_number(second, &x)))
+    return 1;
+  text_add(why, "'%s' %s '%s': expected numbers", first, relation, second);
+  return 0;
+}
+
 static int expression(struct reading *r, struct text *value)
 {
   struct text second = TEXT_NONE;
@@ -378,6 +389,10 @@ static int expression(struct reading *r, struct text *value)
     status = side(r, &second);
     if (status != 0)
       break;
+    if (!are_ordered(value->at, relation, second.at, r->why)) {
+      status = CELL_MISSING;
+      break;
+    }
     all = holds(value->at, relation, second.at) && all;
     text_clear(value);
     text_add(value, "%s", all ? "yes" : "no");

@@ -110,6 +110,22 @@ double csv_number(const struct csv *t, int row, int column)
   return csv_is_number(csv_cell(t, row, column), &x) ? x : NAN;
 }
 
+int csv_needs_numbers(const struct csv *t, int row, const int column[], int columns, double least, struct text *why)
+{
+  for (int k = 0; k < columns; k++) {
+    double x;
+
+    if (csv_is_number(csv_cell(t, row, column[k]), &x) && x > least)
+      continue;
+    text_add(why, "%s: row %d has '%s' in column %s, expected a number", t->file, row + 1, csv_cell(t, row, column[k]),
+             csv_name(t, column[k]));
+    if (isfinite(least))
+      text_add(why, " above %g", least);
+    return -1;
+  }
+  return 0;
+}
+
 /* A condition may have where= before it. */
 static const char *without_where(const char *word)
 {

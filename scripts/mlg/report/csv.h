@@ -54,4 +54,8 @@ int next_fitting(const struct csv *table, int row, const struct condition condit
 /* Whether all of text is a number; *value gets it. */
 int csv_is_number(const char *text, double *value);
 
+/* Whether a row has numbers above `least` (so no NaN) in these columns.  Returns 0, or -1 with a
+ * line in why that names the file, the cell and its column. */
+int csv_needs_numbers(const struct csv *table, int row, const int column[], int columns, double least, struct text *why);
+
 #endif

@@ -193,6 +193,16 @@ static int differ(const struct pick *p, int row, int other, const int column[], 
   return 0;
 }
 
+/* A smooth curve is drawn through all rows: each has to be a point of it. */
+static void check_smooth(const struct pick *p, struct text *why)
+{
+  const int numbers[] = { p->x, p->y };
+
+  for (int row = 0; p->x >= 0 && (row = next_fitting(&p->table, row, p->where, p->conditions)) >= 0; row++)
+    if (csv_needs_numbers(&p->table, row, numbers, 2, 0., why) != 0)
+      return;
+}
+
 static void print_rows(const struct pick *p)
 {
   int *block = must_allocate((size_t)(p->table.rows + 1) * sizeof *block), rows = 0, before = -1;
@@ -231,6 +241,8 @@ static int run(int argc, char *argv[])
   if (csv_read(file.at, &p.table, &why) == 0)
     for (int i = 2; i < argc && read_word(&p, argv[i], &why) == 0; i++)
       ;
+  if (why.length == 0)
+    check_smooth(&p, &why);
   if (why.length > 0)
     status = MLG_BAD_INPUT;
   else {
@@ -261,6 +273,7 @@ const struct command command_pick = {
   "changes, at which gnuplot lifts the pen.  smooth: rows of a smooth curve in these two columns\n"
   "between.  every: each Nth, from the first on.  head: the names first.  In gnuplot:\n"
   "  plot '< build/bin/mlg pick fig09 k_s=1e6 blocks=curve' using 7:8 with lines\n"
-  "Status 2: no such column, or a row with another number of cells.\n",
+  "Status 2: no such column, a row with another number of cells, or for smooth one without numbers\n"
+  "above 0.\n",
   run,
 };
