@@ -363,6 +363,17 @@ intervals() {
   done
 }
 
+@test "the paper's names of boundary points, by a run through each" {
+  local start n=0
+  while read -r start; do
+    n=$((n + 1))
+    mlg run "named.$n" boundary.point model=l2.boundary "$start" compliance=0.1 NMX=2 -- EP=1
+    mlg rows "named.$n" columns=bp,extremum,shimmy | head -n 1
+  done < <(mlg starts l2 compliance=0.1 c_least=10 c_most=1e6) | grep -v ' ms ' | xargs >names
+  [ "$(<names)" = 'BP1,max,psi BP2_l,min,delta BP3,min,psi BP2_u,max,delta' ]
+  near "$(cell k_s intervals l2 compliance=0.1 2>/dev/null || mlg rows named.1 columns=k_s:.10g | head -n 1)" 1e6 1e-9 k_s
+}
+
 @test "a run beside the exact points, or an interval with shimmy inside, does not agree" {
   mkdir -p build/runs
   mlg run good boundary.point model=l2.boundary "$(mlg starts l2 compliance=0.1 c_least=10 c_most=1e6 | head -n 1)" compliance=0.1 DSMAX=0.01 NMX=30 -- EP=1

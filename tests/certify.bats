@@ -27,6 +27,38 @@ verdicts() {
   [ "$(verdicts 3.6e4 1)" = "0 1" ]
 }
 
+# search C_LO WORD...: the columns seconds, psi_end, dstar_end, rate, verdict of a few starts
+ends() {
+  mlg search l1 c_lo="$1" c_hi="$1" "${@:2}" | sed 1d | cut -d , -f 6-10
+}
+
+@test "the verdict of the search: small and falling, after 30 s at least, in psi and in delta" {
+  local seconds psi dstar rate verdict n=0
+  # falls: below a tenth of 15 degrees and 0.03 m, and falling
+  while IFS=, read -r seconds psi dstar rate verdict; do
+    n=$((n + 1))
+    [ "$verdict" = falls ]
+    awk -v t="$seconds" -v psi="$psi" -v dstar="$dstar" -v rate="$rate" 'BEGIN {
+      exit !(t >= 30 && rate > 0 && (psi / 15) ^ 2 + (dstar / 0.03) ^ 2 < 0.0101) }'
+  done < <(ends 2900 starts=4)
+  [ "$n" -eq 4 ]
+  # psi-shimmy of some degrees at low c_d, its delta* far below a tenth of 0.03 m: sustained by psi alone
+  IFS=, read -r seconds psi dstar rate verdict < <(ends 1500 starts=1 V_top=20)
+  [ "$verdict" = sustained ]
+  awk -v psi="$psi" -v dstar="$dstar" 'BEGIN { exit !(psi > 1.5 && dstar < 0.003) }'
+  # shimmy smaller than a tenth that has not died: not "falls", though it is small
+  IFS=, read -r seconds psi dstar rate verdict < <(ends 2745 starts=1 V_top=21)
+  echo "$seconds $psi $dstar $rate $verdict"
+  # starts in delta too
+  [ "$(mlg search l1 c_lo=2900 c_hi=2900 starts=3 | sed 1d | awk -F, '$4 > 0.005' | wc -l)" -ge 1 ]
+}
+
+@test "the model gives out where docs/certification.md says, and the command says so" {
+  run -1 mlg simulate l2 history V=2.5166282 c_d=5057.75619 k_s=7.86e5 delta=-.08 ddelta=8.8 psi=-.5235988 dpsi=23.40125 \
+    lambda_L=.0621894 lambda_R=.1057758 t_end=0.1
+  [[ ${lines[-1]} == 'mlg simulate: t = 0.0512'*'an angle passes pi/2, or the rates are not finite' ]]
+}
+
 @test "slips of the search are refused in one line with status 2" {
   local words
   for words in "" c_lo=2900 "c_lo=0 c_hi=3000" "c_lo=3000 c_hi=2900" "c_lo=2900 c_hi=3000 starts=0" "c_lo=2900 c_hi=3000 c_q=1" \

@@ -126,6 +126,32 @@ column() {
 
 ## Points
 
+# marked NAME: the Hopf curve of setup_hopf with what sed or awk made of b.hopf, d.hopf in marked/
+marked() {
+  mkdir -p marked
+  for file in b d s; do [ -s "marked/$file.marked" ] || cp "build/runs/hopf/$file.hopf" "marked/$file.marked"; done
+}
+
+@test "an LP that is no extremum, a fold without a label, a double Hopf point that is none" {
+  mlg run hopf l1.hopf from=straight IRS="'HB1'" DS=-0.1 -- LP=1 ZH=2 HH=2
+  # the label of the LP a point later: columns BR PT TY LAB
+  rm -rf marked
+  mkdir marked
+  awk '{ type = $3; label = $4 }
+    $1 == 2 && $3 == 32 { moved = $4; $0 = substr($0, 1, 10) "  30   0" substr($0, 19) }
+    $1 == 2 && moved && $2 == 96 { $0 = substr($0, 1, 10) "  32" sprintf("%5d", moved) substr($0, 20) } 1' build/runs/hopf/b.hopf >marked/b.marked
+  marked
+  says 1 'marked: fold without a label near c_d = 31588 *LP at c_d = 315* is not an extremum*' mlg judge marked/marked
+  # the second pair of eigenvalues off the axis by a thousandth of its frequency
+  rm -rf marked
+  mkdir marked
+  sed 's/^\(   2   131         Eigenvalue  [34]:  \) [-0-9.]*E-[0-9]*/\1-7.00000E-02/; s/^\(   2   131         Eigenvalue  [12]:  \) [-0-9.]*E-[0-9]*/\1 1.00000E-12/' \
+    build/runs/hopf/d.hopf >marked/d.marked
+  marked
+  run -1 mlg judge marked/marked -- LP=1 ZH=2 HH=2
+  [[ $output == *'expected 2 HH, found 1'* ]]
+}
+
 @test "a point written because of NPR is none of UZ" {
   mlg run npr l1.straight NPR=500 UZR="{'V': 70.05}" -- UZ=2
   near "$(mlg point npr UZ1 columns=V)" 70.05 1e-6 "V of UZ1"
@@ -256,6 +282,38 @@ column() {
   says 0 "  psi: s.psi is not what AUTO wrote*" mlg run psi l1.periodic from=straight -- TR=1 closed=1
 }
 
+@test "a run is made anew for another model, start or expectation, and judged anew by another judge" {
+  local made
+  # again WORD...: what the second of two runs says; both are up to date before
+  again() { mlg run second l1.periodic from=first IRS="'HB1'" NMX=30 -- EP=1 "$@"; }
+  mlg run first l1.straight RL1=20
+  again
+  run -0 again
+  [ -z "$output" ]
+  # of the model another byte at its end, which runs as before; then the same one back
+  cp -p build/models/l1.exe l1.exe
+  printf ' ' >>build/models/l1.exe
+  says 0 '  second * ms *' again
+  run -0 again
+  [ -z "$output" ]
+  cp -p l1.exe build/models/l1.exe
+  says 0 '  second * ms *' again
+  # another start of the same name
+  mlg run first l1.straight RL1=20 c_d=3.61e4
+  says 0 '  second * ms *' again
+  # another expectation, one that it meets and one that it does not
+  says 0 '  second * ms *' again BP=0
+  says 1 'second (*expected 1 TR, found 0*' again TR=1
+  # a judge that finds fault where the one before found none: seen by a run of that judge's stamp
+  mlg run third l1.straight RL1=20
+  sed -i 's/^judge .*/judge 0000000000000000/' build/runs/third/stamp
+  rm build/runs/third/looks
+  cp -p build/runs/third/stamp stamp.before
+  run -0 mlg run third l1.straight RL1=20
+  [ -z "$output" ]
+  run ! cmp -s stamp.before build/runs/third/stamp # judged, and stamped anew
+}
+
 @test "a stamp that is cut, or times that are lost" {
   head -c 900 build/runs/psi/stamp >part.of.it
   mv part.of.it build/runs/psi/stamp
@@ -342,6 +400,26 @@ column() {
   MLG_ROOT=$PWD run -0 ./other run straight l1.straight -- HB=4
   [ -z "$output" ]
   [ "$(stat -c %Y.%i build/runs/straight/b.straight)" = "$before" ]
+}
+
+## Columns
+
+@test "columns that are reckoned: frequency, shimmy, name; the closing point; halves joined" {
+  local period frequency
+  period=$(mlg rows psi columns=period:.10g only=TR)
+  near "$(mlg rows psi columns=frequency:.10g only=TR)" "$(awk -v T="$period" 'BEGIN { printf "%.10g", 1 / T }')" 1e-9 frequency
+  # a Hopf point closes the branch, of the frequency of straight rolling there
+  frequency=$(build/bin/mlg hopf l1 c_d=3.6e4 | awk -F, '$4 == "psi" { f = $3 } END { print f }')
+  near "$(mlg rows psi columns=frequency:.10g ends | tail -n 1)" "$frequency" 1e-6 "frequency where it closes"
+  [ "$(mlg rows psi columns=type,psi_max ends | tail -n 1)" = HB,0 ]
+  # the names by which IRS calls them
+  [ "$(mlg rows straight columns=name only=HB | xargs)" = 'HB1 HB2 HB3 HB4' ]
+  near "$(mlg rows straight columns=V:.10g only=HB | sed -n 3p)" "$(mlg point straight HB3 columns=V:.10g)" 1e-12 HB3
+  [ "$(mlg shimmy psi)" = psi ]
+  mlg run delta l1.periodic from=straight IRS="'HB2'" -- closed=1
+  [ "$(mlg shimmy delta)" = delta ]
+  diff <(mlg rows psi columns=point,V) <(mlg rows psi columns=point,V reverse | tac)
+  run ! cmp -s <(mlg rows psi columns=point) <(mlg rows psi columns=point reverse)
 }
 
 ## Files of AUTO's own

@@ -128,6 +128,15 @@ END
   [ ! -e build/studies/bad/report.html ]
 }
 
+@test "branches of shimmy in a study: stable and unstable points, folds, slip; designs by falling width" {
+  # from 10 m/s unstable to a fold at 8, then stable to 20; an orbit with slip at a third of alpha_m
+  printf '%s\n' HB,10,0,0, ,9,1,0.001,0 LP,8,2,0.002, ,12,3,0.003,1 ,16,4,0.004,1 HB,20,0,0, orbit,0,0,4,0.004,0.03,-0.06 > branch
+  awk -v row=x -v e='0.05 2 0.5 7e5 2e5 0.3 0.6' -f scripts/study/cycle.awk branch > row
+  [ "$(<row)" = x,8,20,4,0.004,,8,2,1,0.329,0.00479 ]
+  printf '%s\n' layout,design,k_s,b,c_lo,c_hi,width,zeta,V,f,shimmy,d l1,rigid,inf,0,1,2,5,1,1,1,psi,x l2,widest,1e6,0,1,2,50,1,1,1,psi,x li1,widest,1e6,0,1,2,50,1,1,1,psi,x l2,none,1e6,0,0,inf,inf,1,1,1,psi,x > designs
+  [ "$(awk -F, -f scripts/study/ranked.awk designs | cut -d , -f 1 | tail -n +2 | tr '\n' /)" = 'l2/l2 li1/l1/' ]
+}
+
 @test "a run that fails is listed with its reason, and the study goes on" {
   MLG_TIME_LIMIT=0.001 study slow layouts=l1
   says slow "Runs of AUTO that failed"

@@ -122,3 +122,19 @@ END
   refuses 1 "cell: 'nan' < '3': expected numbers" cell ./nan.csv c_lo k_s=2e5 '<' 3
   refuses 1 "cell: '3' >= '': expected numbers" cell 3 '>=' ./empty.csv c_hi k_s=2e5
 }
+
+@test "torus curves joined with double Hopf points, closed curves" {
+  local V c_d
+  curves() { # V C_D: the second curve ends so, its HH is at 40, 5e4
+    printf '%s\n' curve,shimmy,type,V,c_d torus_a,,HH,20,3e4 torus_a,,,20.1,3.01e4 torus_a,,,39.8,4.98e4 torus_a,,HH,40,5e4 \
+      torus_b,,HH,20,3e4 torus_b,,,20.1,3.01e4 "torus_b,,,$1,$2" torus_b,,HH,40,5e4 psi,psi,HH,20,3e4 psi,psi,,20,3e4 psi,psi,HH,20,3e4 > fig.csv
+  }
+  curves 39.7 4.97e4
+  is 2 ./fig.csv joined
+  # a curve that ends 2 % from its point is not joined
+  for V in 39.1 40.9; do curves $V 4.97e4 && is 1 ./fig.csv joined; done
+  for c_d in 4.89e4 5.11e4; do curves 39.7 $c_d && is 1 ./fig.csv joined; done
+  printf '%s\n' k_s,curve,V,c_d 1e5,1,2,3 1e5,1,4,5 1e5,1,2,3 1e5,2,2,3 1e5,2,4,5 1e5,2,2,3.01 1e5,3,2,3 1e5,3,4,5 1e5,3,2.01,3 2e5,1,2,3 2e5,1,4,5 2e5,1,2,3 > closed.csv
+  is 2 ./closed.csv closed
+  is 1 ./closed.csv closed k_s=2e5
+}
