@@ -68,7 +68,7 @@ setup: build/auto.mk ## packages and AUTO only
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
-need_test_packages := prove bench test% check-scripts verify study-check build/bin/eigen-%
+need_test_packages := prove mutants bench test% check-scripts verify study-check build/bin/eigen-%
 export MLG_AUTO_GIVEN := $(value AUTO_DIR)
 ifneq ($(filter-out help clean distclean test check-fresh libmlg build/lib/% build/bin/mlg drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
@@ -283,6 +283,10 @@ $(benches): build/bench/rhs-%: tests/bench/rhs.c models/%.c build/auto.mk Makefi
 .PHONY: verify
 verify: test-programs ## AUTO's values against oracles that do without AUTO
 	@tests/verify.sh
+
+.PHONY: mutants
+mutants: test-programs ## changes made on purpose, each of which a test has to notice; half an hour on one core
+	@tests/mutants.sh
 
 fuzz: build/tests/constants ## the constants checker on 10 million random inputs; SEED=2 for others
 	FUZZ=10000000 build/tests/constants

@@ -54,14 +54,15 @@ ends() {
 }
 
 @test "the model gives out where docs/certification.md says, and the command says so" {
-  run -1 mlg simulate l2 history V=2.5166282 c_d=5057.75619 k_s=7.86e5 delta=-.08 ddelta=8.8 psi=-.5235988 dpsi=23.40125 \
+  run -1 --separate-stderr mlg simulate l2 history V=2.5166282 c_d=5057.75619 k_s=7.86e5 delta=-.08 ddelta=8.8 psi=-.5235988 dpsi=23.40125 \
     lambda_L=.0621894 lambda_R=.1057758 t_end=0.1
-  [[ ${lines[-1]} == 'mlg simulate: t = 0.0512'*'an angle passes pi/2, or the rates are not finite' ]]
+  # shellcheck disable=SC2154 # set by run
+  [[ $stderr == 'mlg simulate: t = 0.0512'*'an angle passes pi/2, or the rates are not finite' ]]
 }
 
 @test "slips of the search are refused in one line with status 2" {
   local words
-  for words in "" c_lo=2900 "c_lo=0 c_hi=3000" "c_lo=3000 c_hi=2900" "c_lo=2900 c_hi=3000 starts=0" "c_lo=2900 c_hi=3000 c_q=1" \
+  for words in "" c_lo=2900 "c_lo=0 c_hi=3000" "c_lo=3000 c_hi=2900" "c_lo=2900 c_hi=3000 starts=0" "c_lo=2900 c_hi=3000 starts=1.5" "c_lo=2900 c_hi=3000 c_q=1" \
     "c_lo=2900 c_hi=3000 k_d=-1" "c_lo=2900 c_hi=3000 V=3" "c_lo=2900 c_hi=3000 c_d=3e3" "c_lo=2900 c_hi=3000 V_top=1"; do
     # shellcheck disable=SC2086 # words
     run -2 build/bin/mlg search l1 $words

@@ -144,7 +144,7 @@ auto_boundary() { # RUN N ZETA
     # shellcheck disable=SC2086 # a word or none
     mlg damping "$layout" best $b > best.csv
     k_s=$(mlg pick ./best.csv columns=k_s) c_d=$(mlg pick ./best.csv columns=c_d)
-    [ "$(awk -v x="$k_s" 'BEGIN { printf "%.6g", x }')" = "$k_s" ]
+    awk -v x="$k_s" 'BEGIN { exit x + 0 != sprintf("%.6g", x) + 0 }'
     case $b in b_most=*) b=b=$(mlg pick ./best.csv columns=b) ;; esac
     # shellcheck disable=SC2086
     near "$c_d" "$(cell c_d damping "$layout" best k_s="$k_s" $b)" 1e-9 "c_d of $case"

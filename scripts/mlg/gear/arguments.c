@@ -97,6 +97,8 @@ void take_value(struct arguments *a, const char *word, size_t length, double val
   for (struct option *o = a->option; o && o->name; o++)
     if (is_called(o->name, word, length)) {
       note(a, &o->word, word);
+      if (!*o->unit && value != floor(value))
+        refuse(a->command, word, "expected a whole number");
       o->value = in_range(a->command, word, o->unit, o->least, o->most, value);
       return;
     }

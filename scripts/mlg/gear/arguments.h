@@ -32,7 +32,7 @@ enum parameter_number {
 
 /* NAME=VALUE of a command beside parameters; a list ends with the name NULL. */
 struct option {
-  const char *name, *unit;
+  const char *name, *unit; /* "": a count, a whole number */
   double least, most;
   double value;     /* the default, until it is given */
   const char *word; /* that gave it, or NULL */

@@ -237,7 +237,7 @@ static void options(struct option option[MOST_OPTIONS], int layout, double end)
   const int n = libmlg_states(layout);
   const struct option setting[] = {
     { "t_end", "s", 1e-9, 1e9, end, NULL }, { "dt", "s", 1e-9, 1e9, 1e-3, NULL },
-    { "rtol", "", 1e-14, 1e-3, 1e-10, NULL }, { NULL, NULL, 0., 0., 0., NULL },
+    { "rtol", "-", 1e-14, 1e-3, 1e-10, NULL }, { NULL, NULL, 0., 0., 0., NULL },
   };
 
   for (int i = 0; i < n; i++) {
