@@ -17,8 +17,9 @@
 # pass.  On the tree as it is they have to pass, or their failure says nothing ("unsound").
 # A patch "does not apply" when what it changes has become another; one "does not build".
 #
-# Results stay in build/mutants, by the sum of the patch and of the files that it changes: what
-# was interrupted goes on.  When tests changed, `rm -r build/mutants` first.
+# What was killed stays so in build/mutants, by the sum of the patch and of the files that it
+# changes: an interrupted run goes on, and all others are tried again.  After a change that
+# may make tests weaker, `rm -r build/mutants` first.
 #
 # Exit    0 all killed or equivalent, 1 not so, 2 no such patches
 set -euo pipefail
@@ -30,12 +31,12 @@ jobs=${jobs:-$(nproc)}
 
 # chosen [BEGINNING...]: the names that begin so; each has to mean something
 chosen() {
-  local beginning
+  local beginning found
   [ $# -gt 0 ] || set -- ''
   for beginning; do
-    compgen -G "tests/mutants/$beginning*.patch" > /dev/null ||
-      { echo "mutants.sh: no patch in tests/mutants begins with '$beginning'" >&2 && exit 2; }
-    printf '%s\n' tests/mutants/"$beginning"*.patch
+    found=("tests/mutants/$beginning"*.patch)
+    [ -e "${found[0]}" ] || { echo "mutants.sh: no patch in tests/mutants begins with '$beginning'" >&2 && exit 2; }
+    printf '%s\n' "${found[@]}"
   done | sed 's|.*/||; s|\.patch$||' | awk '!seen[$0]++'
 }
 
@@ -176,7 +177,10 @@ main() {
   rm -rf "$home"/taken
   mkdir -p "$home/taken"
   for name in "${names[@]}"; do
-    [ "$(cut -d ' ' -f 1 "$home/$name.result" 2> /dev/null)" = "$(sum_of "$name")" ] || left+=("$name")
+    case $(cat "$home/$name.result" 2> /dev/null) in
+      "$(sum_of "$name") "killed | "$(sum_of "$name") "equivalent) ;;
+      *) left+=("$name") ;;
+    esac
   done
   of=${#left[@]}
   trap 'trap - EXIT; kill 0' INT TERM

@@ -47,6 +47,9 @@ refuses() { # STATUS LINE WORD...
   is '1e5 2e5 2.001e5' ./t.csv k_s b=0 each
   is 1 ./t.csv count k_s=inf
   is 3 ./t.csv count 'layout=l[12]' b%10=0 'width<8'
+  is 3 ./t.csv count 'width<=3'
+  is 0 ./t.csv count 'width<3'
+  is 5 ./t.csv count 'width>=3'
 }
 
 @test "cells may be reckoned with and compared" {
@@ -88,6 +91,15 @@ END
   mlg pick ./power.csv smooth=x,y | awk -F, '{ n++; if (($2 / (3 * $1^2) - 1)^2 > 1e-10) exit 1 } END { exit n != 46 }'
 }
 
+@test "a smooth curve goes round a bend, where x has no way on, and is the same from both ends" {
+  printf 'x,y\n1,1\n2,1\n2,2\n1,2\n' > hook.csv
+  mlg pick ./hook.csv smooth=x,y > bend
+  # between the second and the third row: beyond x = 2, highest in the middle, mirrored in log y
+  sed -n '11,18p' bend | awk -F, '{ x[NR] = $1; y[NR] = $2 } END {
+    for (i = 1; i <= 4; i++) if (!(x[i] > 2 && x[i] < 2.3 && (x[i] / x[9 - i] - 1) ^ 2 < 1e-12 && (y[i] * y[9 - i] / 2 - 1) ^ 2 < 1e-12)) exit 1
+    exit !(x[4] > x[1]) }'
+}
+
 @test "areas: an interval that is divided goes on in one of its parts, the other begins" {
   diff <(mlg areas ./t.csv layout=l1) - <<'END'
 1e5,1,9,8
@@ -98,6 +110,15 @@ END
 
 END
   [ "$(mlg areas ./t.csv layout=l1 bounds | grep -c '^$')" -eq 5 ] # the upper bound jumps
+  # two that become one: it goes on in the wider of them, wherever that stands
+  printf 'k_s,c_lo,c_hi,width\n1e5,1,5,4\n1e5,6,9,3\n2e5,1,9,8\n' > join.csv
+  diff <(mlg areas ./join.csv) - <<'END'
+1e5,1,5,4
+2e5,1,9,8
+
+1e5,6,9,3
+
+END
 }
 
 @test "what is no number is no number of a table: one line and status 2, nothing printed" {
