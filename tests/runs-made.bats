@@ -87,24 +87,24 @@ column() {
 @test "a branch closes on the Hopf point of its own gear and frequency, or not at all" {
   local file
   # `ends` adds the Hopf point that closes the branch
-  rows_of() { mlg rows other/other columns=V "$@" | wc -l; }
-  mkdir -p other
-  for file in b d s; do cp build/runs/psi/$file.psi other/$file.other; done
+  rows_of() { mlg rows elsewhere/other columns=V "$@" | wc -l; }
+  mkdir -p elsewhere
+  for file in b d s; do cp build/runs/psi/$file.psi elsewhere/$file.other; done
   [ "$(rows_of ends)" -eq "$(($(rows_of) + 1))" ]
   # the same of c_d = 3.7e4, whose Hopf points are 0.1 m/s and more away
-  for file in b s; do sed 's/3\.6000000000E+004/3.7000000000E+004/g' build/runs/psi/$file.psi >other/$file.other; done
+  for file in b s; do sed 's/3\.6000000000E+004/3.7000000000E+004/g' build/runs/psi/$file.psi >elsewhere/$file.other; done
   [ "$(rows_of ends)" -eq "$(rows_of)" ]
   [ "$(rows_of)" -gt 60 ]
   # the same orbits with 1.3 times their period; a column of another name is none of the solutions'
-  cp build/runs/psi/s.psi other/s.other
+  cp build/runs/psi/s.psi elsewhere/s.other
   awk '/PT  TY  LAB/ { for (k = 0; 20 + 19 * k < length($0); k++) if (substr($0, 20 + 19 * k, 19) ~ /period/) at = 20 + 19 * k
       sub(/period/, "PERIOD") }
     at && $1 != 0 { x = sprintf("%18.10E", 1.3 * substr($0, at, 19)); sub(/E[-+]/, "&0", x)
-      $0 = substr($0, 1, at - 1) x substr($0, at + 19) } 1' build/runs/psi/b.psi >other/b.other
+      $0 = substr($0, 1, at - 1) x substr($0, at + 19) } 1' build/runs/psi/b.psi >elsewhere/b.other
   [ "$(rows_of ends)" -eq "$(rows_of)" ]
   [ "$(rows_of)" -gt 60 ]
   # and with their own period under that name it closes
-  sed 's/  period /  PERIOD /' build/runs/psi/b.psi >other/b.other
+  sed 's/  period /  PERIOD /' build/runs/psi/b.psi >elsewhere/b.other
   [ "$(rows_of ends)" -eq "$(($(rows_of) + 1))" ]
 }
 
@@ -308,6 +308,7 @@ marked() {
 
 @test "a run is made anew for another model, start or expectation, and judged anew by another judge" {
   # again WORD...: what the second of two runs says; both are up to date before
+  # shellcheck disable=SC2119,SC2120 # says calls it with words
   again() { mlg run second l1.periodic from=first IRS="'HB1'" NMX=30 -- EP=1 "$@"; }
   mlg run first l1.straight RL1=20
   again
