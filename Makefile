@@ -195,7 +195,8 @@ parts_transients := paper best
 parts_layouts := li3 li4 li5
 parts_certify := l1 l2 li1 li2
 parts_sections := past tori elsewhere
-studies := damping transients layouts certify sections
+parts_sweeps := load map hopf
+studies := damping transients layouts certify sections sweeps
 
 # A part of a figure's runs by itself, so that -j2 makes them side by side; the figure.
 define figure_rules
@@ -235,6 +236,7 @@ layouts: ## layouts LI3, LI4 and LI5: diagrams, boundary points, widths (docs/la
 damping: ## least damping ratios of every layout, a minute (docs/damping.md)
 transients: ## peaks and settling times after a disturbance, four minutes more (docs/damping.md)
 sections: ## what follows past the torus points of Figure 6 (docs/simulate.md)
+sweeps: ## a million gears over load and tolerance, a map over (e, l), AUTO against the algebra; 15 minutes (docs/sweeps.md)
 certify: ## do oscillations reach into the zero-shimmy regions? (docs/certification.md)
 
 # --- drawings of the gear and of each layout, docs/drawings ------------------

@@ -59,14 +59,15 @@ try_cases() {
   total=$(mlg cases "$file" | sed -n '1s/.*: \([0-9]*\) cases/\1/p')
 }
 
-# The cases of a block: some 20 s of them, no fewer than a case and no more than leaves
-# every job several blocks.
+# The cases of a block: some 20 s of them, no more than leaves every job several blocks, and
+# no fewer than make 100 000 blocks: each is a file.
 block_of() {
   local given
   given=$(sed -n 's/^block *= *\([0-9]*\).*/\1/p' "$file")
   awk -v given="$given" -v seconds="$seconds" -v total="$total" -v jobs="$jobs" 'BEGIN {
     size = given ? given : 20 / seconds
     if (!given && size * jobs * 8 > total) size = total / jobs / 8
+    if (!given && size * 1e5 < total) size = total / 1e5 + 1
     size = size < 1 ? 1 : size > 1e7 ? 1e7 : size
     printf "%d\n", size }'
 }
