@@ -39,6 +39,7 @@ main() { # COMMAND FILE WORD...
     show) show ;;
     run)
       begin
+      not_queued
       compute
       ;;
     slurm)

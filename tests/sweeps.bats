@@ -245,6 +245,14 @@ END
   [ "$(records struck)" -eq 3 ]
 }
 
+@test "a case that wants more memory than it may have fails alone" {
+  auto_sweep large 2 'memory = 64 MB'
+  sed -i 's/^e = .*/e = 0.12\nNTST = 20, 9000/; s/NMX=4/NMX=2 NTST={NTST}/' build/large.sweep
+  scripts/sweep.sh run build/large.sweep jobs=1
+  [ "$(rows large | cut -d , -f 1 | xargs)" = "case 1" ]
+  [ "$(rows large failed.csv | sed 1d | cut -d , -f 1-5)" = "2,9000,2,run,1" ]
+}
+
 @test "what has failed is computed again with retry, and only that" {
   sweep again <<'END'
 layout = l1
@@ -387,4 +395,36 @@ END
   [ "$(rows mine | sed 1d | grep -vc ',,')" -gt 20 ]
   [ "$(rows chain | wc -l)" -eq 9 ]
   near "$(rows chain | sed -n '$p' | cut -d , -f 4)" "$(mlg hopf l1 c_d=3e4 e=0.14 | sed -n 3p | cut -d , -f 2)" 1e-6 "the Hopf point of the last case"
+}
+
+# study_functions: those of scripts/studies/sweeps.sh
+study_functions() {
+  sed -n '/^coverage() {/,/^}/p; /^outcomes() {/,/^}/p' scripts/studies/sweeps.sh
+}
+
+@test "the tables of record, by cases chosen at random" {
+  local row layout k_s b e l c_d zeta at load
+  . <(study_functions)
+  while IFS=, read -r layout k_s b e l c_d zeta _; do
+    near "$(cell c_d damping "$layout" best k_s="$k_s" b="$b" e="$e" l="$l")" "$c_d" 1e-5 "best c_d of $layout, e = $e, l = $l"
+    near "$(cell zeta damping "$layout" best k_s="$k_s" b="$b" e="$e" l="$l")" "$zeta" 1e-5 "its zeta"
+  done < <(grep '^l' "$ROOT/results/sweeps_map.csv" | sed 1d | shuf -n 4)
+  [ "$(grep -c '^l[1i]' "$ROOT/results/sweeps_map.csv")" -ge 1900 ]
+
+  row=$(grep '^l[12i]' "$ROOT/results/sweeps.csv" | shuf -n 1)
+  IFS=, read -r layout load _ <<< "$row"
+  { echo layout,k_s,b && grep "^$layout," constants/sweeps/devices.csv; } > build/one.csv
+  sed "s|^cases.*|cases = build/one.csv|; s|^F_z.*|F_z = 1, $load|" constants/sweeps/load.sweep | sed 's/F_z = 1, /F_z = 1e5, /' > build/share.sweep
+  mkdir -p build/share
+  mlg cases build/share.sweep block=2 size=10000 folder=build/share
+  run mlg cases build/share.sweep gather size=10000 folder=build/share
+  sed 's/^case,F_z/case,layout,F_z/; /^[0-9]/s/,/,'"$layout"',/' build/share/partial.csv | grep -v '^#' | coverage > build/row
+  diff build/row - <<< "$row"
+
+  mkdir -p build/hopf
+  mlg cases constants/sweeps/hopf.sweep block=$((RANDOM % 1250 + 1)) size=8 folder=build/hopf
+  mlg cases constants/sweeps/hopf.sweep gather size=8 folder=build/hopf > build/said || true
+  grep -v '^#' build/hopf/partial.csv | outcomes > build/outcomes
+  [ "$(sed -n 's/^the same point,\([0-9]*\),.*/\1/p' build/outcomes)" -ge 1 ]
+  [ "$(grep -v '^#' "$ROOT/results/sweeps_hopf.csv" | awk -F, '{ n += $2 } END { print n }')" -eq 10000 ]
 }

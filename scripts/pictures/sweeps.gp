@@ -25,8 +25,8 @@ do for [ending in "png svg"] {
       set xrange [140:260]; set yrange [0:100]; set xtics 20; set ytics 20
       set arrow 1 from 200,0 to 200,100 nohead lc rgb "grey" dt 3
       if (col == 0) { set label 1 "at some c_d\nof its own" at 186,86 left; set label 2 "at the one\nbest c_d" at 172,48 right tc ls 1 }
-      plot share(layout) using (1e-3*$2):(100*$4) with lines lw 1.5 lc rgb "black" dt (6,4), \
-           share(layout) using (1e-3*$2):(100*$6) with lines ls 1
+      plot share(layout) using (1e-3*$2):4 with lines lw 1.5 lc rgb "black" dt (6,4), \
+           share(layout) using (1e-3*$2):6 with lines ls 1
       unset arrow 1
       unset label
     } else {

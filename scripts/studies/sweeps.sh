@@ -25,8 +25,8 @@ answers() { # NAME: rows of a sweep's table, names first
 tables() {
   begin_table results/sweeps.csv \
     "# Which share of the gears a c_d keeps free of shimmy at every speed (constants/sweeps/load.sweep): 10 000 gears around" \
-    "# the drawing for each layout and static load. F_z N; some: share with any interval of c_d; c_d N m s/rad, the best, and" \
-    "# share, of the gears in whose widest interval it is; c90_lo, c90_hi: the c_d around it that keep 90 % or more, and c50." \
+    "# the drawing for each layout and static load. F_z N; some %: of them with any interval of c_d; c_d N m s/rad, the best," \
+    "# and share %, of those in whose widest interval it is; c90_lo, c90_hi: the c_d around it that keep 90 % or more; c50." \
     layout,F_z,gears,some,c_d,share,c50_lo,c50_hi,c90_lo,c90_hi
   answers load | coverage >> "$table.new"
   end_table
@@ -63,8 +63,8 @@ coverage() {
       }
       function row(   k) {
         best = 1
-        for (k = 1; k <= n; k++) { share[k] /= gears; if (share[k] > share[best]) best = k }
-        printf "%s,%d,%.4f,%.6g,%.4f,%s,%s\n", last, gears, some / gears, n ? c[best] : 0, n ? share[best] : 0, ends(0.5), ends(0.9)
+        for (k = 1; k <= n; k++) { share[k] *= 100 / gears; if (share[k] > share[best]) best = k }
+        printf "%s,%d,%.2f,%.6g,%.2f,%s,%s\n", last, gears, 100 * some / gears, n ? c[best] : 0, n ? share[best] : 0, ends(50), ends(90)
       }
       { at = $1 "," $2 }
       at != last { if (last != "") row(); last = at; n = gears = some = open = 0 }

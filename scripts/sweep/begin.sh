@@ -36,6 +36,7 @@ read_words() { # COMMAND WORD...
       *) fail "sweep: '$word': no such word of $command; $usage" 2 ;;
     esac
   done
+  if [ "$command" = slurm ]; then jobs=$(((tasks + 7) / 8)); fi # a block for each task
 }
 
 count_of() { # NAME=N MOST
@@ -59,8 +60,8 @@ try_cases() {
   total=$(mlg cases "$file" | sed -n '1s/.*: \([0-9]*\) cases/\1/p')
 }
 
-# The cases of a block: some 20 s of them, no more than leaves every job several blocks, and
-# no fewer than make 100 000 blocks: each is a file.
+# The cases of a block: some 20 s of them, no more than leaves every job eight blocks, and no
+# fewer than make 100 000 blocks: each is a file.
 block_of() {
   local given
   given=$(sed -n 's/^block *= *\([0-9]*\).*/\1/p' "$file")
