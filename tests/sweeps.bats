@@ -403,7 +403,8 @@ study_functions() {
 }
 
 @test "the tables of record, by cases chosen at random" {
-  local row layout k_s b e l c_d zeta at load
+  local row layout k_s b e l c_d zeta load
+  # shellcheck disable=SC1090 # they are in the study
   . <(study_functions)
   while IFS=, read -r layout k_s b e l c_d zeta _; do
     near "$(cell c_d damping "$layout" best k_s="$k_s" b="$b" e="$e" l="$l")" "$c_d" 1e-5 "best c_d of $layout, e = $e, l = $l"

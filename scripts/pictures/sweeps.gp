@@ -15,7 +15,7 @@ do for [ending in "png svg"] {
   do for [panel=1:8] {
     col = (panel - 1) % 4; row = (panel - 1) / 4
     layout = word(layouts, col + 1)
-    set lmargin at screen 0.055 + 0.222*col; set rmargin at screen 0.235 + 0.222*col
+    set lmargin at screen 0.06 + 0.222*col; set rmargin at screen 0.24 + 0.222*col
     set tmargin at screen 0.93 - 0.49*row; set bmargin at screen 0.57 - 0.49*row
     set title sprintf("(%s%d) %s\n{/*0.8 %s}", row ? "b" : "a", col + 1, word(names, col + 1), device[col + 1]) offset 0,-0.6
     if (row == 0) {
@@ -24,20 +24,20 @@ do for [ending in "png svg"] {
       set ylabel (col == 0 ? "gears free of shimmy (%)" : "") offset 1,0
       set xrange [140:260]; set yrange [0:100]; set xtics 20; set ytics 20
       set arrow 1 from 200,0 to 200,100 nohead lc rgb "grey" dt 3
-      if (col == 0) { set label 1 "at some c_d\nof its own" at 186,86 left; set label 2 "at the one\nbest c_d" at 172,48 right tc ls 1 }
+      if (col == 0) { set label 1 "at some c_d\nof its own" at 186,86 left; set label 2 "at the one\nbest c_d" at 144,42 left tc ls 1 }
       plot share(layout) using (1e-3*$2):4 with lines lw 1.5 lc rgb "black" dt (6,4), \
            share(layout) using (1e-3*$2):6 with lines ls 1
       unset arrow 1
       unset label
     } else {
       set xlabel "caster e (m)" offset 0,0.3
-      set ylabel (col == 0 ? "relaxation length l (m)" : "") offset 1,0
+      set ylabel (col == 0 ? "relaxation length l (m)" : "") offset 0.3,0
       set xrange [0.015:0.225]; set yrange [0.145:0.455]; set xtics 0.05; set ytics 0.05
       set cbrange [-5.5:-2]
       if (col == 3) {
-        set colorbox user origin screen 0.925,0.08 size screen 0.014,0.36
+        set colorbox user origin screen 0.93,0.08 size screen 0.014,0.36
         set cbtics ("10^{-5}" -5, "10^{-4}" -4, "10^{-3}" -3, "10^{-2}" -2)
-        set label 1 "least ζ" at screen 0.925,0.465
+        set label 1 "least ζ" at screen 0.93,0.465
       } else { unset colorbox }
       plot map(layout) using 4:5:($7 > 0 ? log10($7) : NaN) with image, \
            "+" using (0.12):(0.3) every ::::0 with points pt 3 ps 1.4 lw 2 lc rgb "#d62728"
