@@ -309,7 +309,7 @@ $(tests): build/tests/%: tests/test_%.c build/auto.mk Makefile
 checked_library := $(patsubst build/libmlg/%,build/tests/libmlg/%,$(library_parts) $(library_layouts))
 checked_cc = $(CC) $(TEST_CFLAGS) -Imodels -Imodels/libmlg -Ibuild/libmlg -c
 
-mlg_reader = $(patsubst %,scripts/mlg/auto/%.c,text autofile autonumber autostability autosolution branch ending judge judgepoints sums)
+mlg_reader = $(patsubst %,scripts/mlg/auto/%.c,text autofile autonumber autostability autosolution branch ending judge judgehopf judgepoints sums)
 build/tests/autofile: with = $(mlg_reader) build/tests/libmlg.a $(lapack)
 build/tests/autofile: $(mlg_reader) $(wildcard scripts/mlg/*/*.h) build/tests/libmlg.a
 mlg_constants = $(patsubst %,scripts/mlg/auto/%.c,text autonumber constants conchecks)

@@ -73,7 +73,10 @@
   X(33, PSI_MAX,    "psi_max",    "deg", "maximum of psi over the period")     \
   X(34, DSTAR_MAX,  "dstar_max",  "m",   "maximum of delta* = l_delta delta over the period") \
   X(35, TORUS,      "torus",      "-",   "largest |mu| - 1 of the complex Floquet multipliers") \
-  X(36, F_Z,        "F_z",        "N",   "static load (M + m_D) g")
+  X(36, F_Z,        "F_z",        "N",   "static load (M + m_D) g")           \
+  X(53, HOPF_PSI,   "hopf_psi",   "1/s", "real part of the eigenvalues of psi-shimmy nearest to 0: 0 at its Hopf points") \
+  X(54, HOPF_DELTA, "hopf_delta", "1/s", "the same of delta-shimmy") \
+  X(55, CLOSES,     "closes",     "-",   "passes upwards through 0 where a Hopf curve comes round to its start")
 
 /* How long par[] is: AUTO's NPAR, which every constants file gives (AUTO itself has room
  * for 36), and that of the problem of boundary.h. */

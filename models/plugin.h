@@ -189,14 +189,22 @@ static double orbit_torus(integer ndim)
   return largest - 1.;
 }
 
+#include "equilibria.h"
+
 /* Results of a solution (AUTO's PVLS): MLG_RESULTS of mlg.h. */
 int pvls(integer ndim, const doublereal *u, doublereal *par)
 {
   const double period = par[PAR_PERIOD];
+  double hopf[2] = { -1., -1. };
 
   par[PAR_PSI_MAX] = orbit_peak(u, period, PSI, DPSI) * 180. / MLG_PI;
   par[PAR_DSTAR_MAX] = orbit_peak(u, period, DELTA, DDELTA) * par[PAR_L_DELTA];
   par[PAR_TORUS] = orbit_steps(u) > 0 ? orbit_torus(ndim) : -1.;
+  if (orbit_steps(u) == 0)
+    hopf_tests(ndim, par, u, hopf);
+  par[PAR_HOPF_PSI] = hopf[0];
+  par[PAR_HOPF_DELTA] = hopf[1];
+  par[PAR_CLOSES] = orbit_steps(u) > 0 ? -1. : closing_test(par);
   par[PAR_F_Z] = (par[PAR_M] + par[PAR_M_D]) * par[PAR_G];
   return 0;
 }

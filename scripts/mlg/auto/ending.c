@@ -10,14 +10,7 @@
 #include "mlg.h"
 #include "branch.h"
 
-enum { MOST_LAYOUTS = 64 };
-
-/* Straight rolling near the end of the branch. */
-struct rolling {
-  double par[LIBMLG_MOST_PARAMETERS];
-  int layout[MOST_LAYOUTS], layouts; /* that may be the branch's */
-  int parameter;                     /* libmlg's number of the one that is continued */
-};
+enum { MOST_LAYOUTS = sizeof ((struct rolling *)0)->layout / sizeof (int) };
 
 /* AUTO's slot of a column: that of its name in parnames, or of PAR(n); 0 for none. */
 static int slot_of(const struct af_part *part, const char *name)
@@ -94,8 +87,7 @@ static int find_parameters(struct rolling *r, const struct af_part *part, const 
   return known;
 }
 
-/* Everything but the value of the continued parameter; 0 when it is not known. */
-static int find_rolling(struct rolling *r, const struct af_part *part, const char *s, const char *layout)
+int find_rolling(struct rolling *r, const struct af_part *part, const char *s, const char *layout)
 {
   struct af_solutions solutions;
   struct text why = TEXT_NONE;

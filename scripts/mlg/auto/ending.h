@@ -10,6 +10,7 @@
 #define MLG_ENDING_H
 
 #include "autofile.h"
+#include "libmlg.h"
 
 struct ending {
   long kept;      /* points up to the closing Hopf point; all of them when not closed */
@@ -26,5 +27,15 @@ struct ending {
  * layout: the name of the layout, or NULL for any that has these states.  A branch
  * whose layout or parameters are not known is not called closed. */
 struct ending find_ending(const struct af_part *part, const char *s, const char *layout);
+
+/* Straight rolling near a branch. */
+struct rolling {
+  double par[LIBMLG_MOST_PARAMETERS]; /* all but the one that is continued */
+  int layout[64], layouts;            /* that may be the branch's */
+  int parameter;                      /* libmlg's number of the one that is continued */
+};
+
+/* That of a part, from one of its solutions in s.; arguments as above.  0 when it is not known. */
+int find_rolling(struct rolling *rolling, const struct af_part *part, const char *s, const char *layout);
 
 #endif

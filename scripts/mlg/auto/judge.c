@@ -127,7 +127,7 @@ static void judge_part(struct judge *j, const struct judged *run, const struct a
     if (strcmp(type, "EP") != 0 && strcmp(type, "UZ") != 0)
       text_add(&j->out->found, "%s%s %.6g", j->out->found.length ? " " : "", type, af_value(part, i, 0));
   }
-  if (e.closed) {
+  if (e.closed || closes(part)) {
     count(j, "closed");
     text_add(&j->out->found, "%sclosed", j->out->found.length ? " " : "");
   }
@@ -142,6 +142,8 @@ static void judge_part(struct judge *j, const struct judged *run, const struct a
   check_folds(j->out, part, e.kept);
   check_ranges(j->out, part, e.kept);
   check_curve(j->out, part);
+  check_hopf_points(j->out, part, run->s, run->layout);
+  check_closing(j->out, part);
   if (!e.closed)
     check_end(j, run, part);
   if (part->gap) {
@@ -245,7 +247,7 @@ void judge_run(const struct judged *run, struct judgement *out)
   struct judge j = { .all = &all, .out = out };
   long solutions = 0;
 
-  *out = (struct judgement){ TEXT_NONE, TEXT_NONE, TEXT_NONE, 0 };
+  *out = (struct judgement){ .missed = 0 };
   text_clear(&out->found);
   text_clear(&out->complaints);
   text_clear(&out->damage);

@@ -6,6 +6,7 @@
  *   - the steps used up (EP), unless EP is expected; a stop at RL0, RL1, A0 or A1 is
  *     no complaint and is named; a start outside RL0..RL1 is one
  *   - a change of stability, a fold or an extremum that carries no label
+ *   - a Hopf point of straight rolling that libmlg has along the run and AUTO has not
  *   - orbits that fell onto the zero solution, curves that run back over themselves
  *   - a parameter continued out of its range
  *   - another number of points than expected, and an expected absence of points that
@@ -28,10 +29,21 @@ struct judged {
   int status;            /* AUTO's own, 0 for good */
 };
 
+/* A Hopf point of straight rolling: the value of the first parameter, and how far it is to the
+ * next one, or to an end of the run. */
+struct hopf_point { double at, gap; };
+
+enum { MOST_HOPF_POINTS = 64 };
+
 struct judgement {
   struct text found;      /* "HB 13.4308 HB 25.0861", "TR 30.7865 closed", "no special point" */
   struct text complaints; /* joined by "; ", empty when the run is good */
   struct text damage;     /* "FILE:LINE: what" when a file is cut or garbled */
+  int missed;             /* how many Hopf points AUTO stepped over; if any, then all there are: */
+  struct hopf_point hopf[MOST_HOPF_POINTS];
+  int hopf_points;
+  char hopf_along[32];    /* the first parameter */
+  double start;           /* its first value */
   int whole;              /* whether there was room for all that AUTO wrote, see below */
 };
 

@@ -18,4 +18,12 @@ void check_folds(struct judgement *out, const struct af_part *part, long points)
 void check_ranges(struct judgement *out, const struct af_part *part, long points);
 void check_curve(struct judgement *out, const struct af_part *part);
 
+/* Of a straight run: a Hopf point that the equations have and AUTO has not.  s, layout as for
+ * find_ending. */
+void check_hopf_points(struct judgement *out, const struct af_part *part, const char *s, const char *layout);
+
+/* Whether a Hopf curve was stopped where it closes; a complaint when that is not its start. */
+int closes(const struct af_part *part);
+void check_closing(struct judgement *out, const struct af_part *part);
+
 #endif

@@ -4,6 +4,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -185,20 +186,102 @@ static int publish(const struct request *r, struct text *why)
   return -1;
 }
 
+/* Puts text in front of what stands behind the key of a constants line, or a line KEY = {text}
+ * behind all. */
+static void insert_point_list(const struct text *constants, const char *name, const char *values, struct text *out)
+{
+  static const char uzr[] = "\nUZR = {";
+  const char *line = strstr(constants->at, uzr), *place = line ? line + strlen(uzr) : NULL;
+  struct text key = TEXT_NONE;
+
+  text_add(&key, "'%s': ", name);
+  const char *given = line ? strstr(line, key.at) : NULL;
+
+  if (!line)
+    text_add(out, "%sUZR = {%s[%s]}\n", constants->at, key.at, values);
+  else if (given && given < line + 1 + strcspn(line + 1, "\n")) { /* one value or a list of them is there */
+    place = given + key.length;
+    const size_t one = strcspn(place, ",}");
+
+    text_append(out, constants->at, (size_t)(place - constants->at));
+    if (*place == '[')
+      text_add(out, "[%s, %s", values, place + 1);
+    else
+      text_add(out, "[%s, %.*s]%s", values, (int)one, place, place + one);
+  } else {
+    text_append(out, constants->at, (size_t)(place - constants->at));
+    text_add(out, "%s[%s]%s%s", key.at, values, *place == '}' ? "" : ", ", place);
+  }
+  text_free(&key);
+}
+
+/* The constants with a point asked for, UZR, on either side of each Hopf point, at that part of
+ * the way to the next one, so that each lies in a step of its own; and a first step so small that
+ * none is in the first two, in which AUTO looks for nothing. */
+static void ask_beside(const struct text *constants, const struct judgement *judgement, double part, struct text *out)
+{
+  struct text values = TEXT_NONE, shorter = TEXT_NONE;
+  const char *line = strstr(constants->at, "\nDS = ");
+  double nearest = INFINITY;
+
+  for (int i = 0; i < judgement->hopf_points; i++) {
+    const struct hopf_point *p = &judgement->hopf[i];
+    const double beside = fmin(part * p->gap, 1e-3 * fabs(p->at));
+
+    text_add(&values, "%s%.15g, %.15g", i ? ", " : "", p->at - beside, p->at + beside);
+    nearest = fmin(nearest, fabs(p->at - judgement->start));
+  }
+  if (line && fabs(strtod(line + 6, NULL)) > 0.1 * nearest) {
+    text_append(&shorter, constants->at, (size_t)(line + 6 - constants->at));
+    text_add(&shorter, "%.6g%s", copysign(0.1 * nearest, strtod(line + 6, NULL)), line + 6 + strcspn(line + 6, "\n"));
+  } else
+    text_add(&shorter, "%s", constants->at);
+  insert_point_list(&shorter, judgement->hopf_along, values.at, out);
+  text_free(&values);
+  text_free(&shorter);
+}
+
+/* AUTO's run in r->part, judged; its status, or -1 with a line in why. */
+static int compute(const struct request *r, struct judgement *judgement, struct text *why)
+{
+  int status;
+
+  if (prepare(r, why) != 0)
+    return -1;
+  status = run_model(r->exe, r->part, why);
+  complete(r);
+  judge_files(r, r->part, status, judgement);
+  return status;
+}
+
 static int make(const struct request *r, const struct stamp *stamp)
 {
   struct text why = TEXT_NONE;
   struct judgement judgement;
-  int status;
+  int status = compute(r, &judgement, &why);
 
-  if (prepare(r, &why) != 0) {
+  if (status == 0 && judgement.missed > 0) {
+    static const double part[] = { 0.1, 0.02, 0.3, 0.001 };
+    struct judgement first = judgement;
+    struct request again = *r;
+
+    for (size_t i = 0; i < sizeof part / sizeof *part && status == 0 && judgement.missed > 0; i++) {
+      again.text = (struct text)TEXT_NONE;
+      ask_beside(&r->text, &first, part[i], &again.text);
+      if (i > 0)
+        judgement_free(&judgement);
+      status = compute(&again, &judgement, &why);
+      text_free(&again.text);
+    }
+    judgement_free(&first);
+    if (status == 0 && judgement.missed == 0)
+      text_add(&judgement.found, ", with points asked for beside those that AUTO had stepped over");
+  }
+  if (status == -1) {
     status = fail(r, why.at);
     text_free(&why);
     return status;
   }
-  status = run_model(r->exe, r->part, &why);
-  complete(r);
-  judge_files(r, r->part, status, &judgement);
   if (why.length > 0 || (status == 0 && !judgement.whole)) {
     say_rejected(r, why.length > 0 ? why.at : "what AUTO wrote is cut short (is the disk full?)");
     if (why.length == 0 && judgement.damage.length > 0)

@@ -1,0 +1,99 @@
+/* equilibria.h - what pvls computes along straight rolling and along Hopf curves: test
+ * functions for Hopf points, and one for a curve that closes
+ *
+ * plugin.h includes this behind AUTO's header.
+ */
+#ifndef MLG_EQUILIBRIA_H
+#define MLG_EQUILIBRIA_H
+
+/* ISW of the constants file: 1 straight rolling in one parameter, 2 a Hopf curve in two; as in
+ * room.h. */
+extern integer auto_isw __asm__("__auto_constants_MOD_isw");
+
+/* LAPACK, which AUTO carries: eigenvalues of A. */
+extern void dgeev_(const char *jobvl, const char *jobvr, const integer *n, double *A, const integer *lda,
+                   double *re, double *im, double *vl, const integer *ldvl, double *vr, const integer *ldvr,
+                   double *work, const integer *lwork, integer *info, size_t len_jobvl, size_t len_jobvr);
+
+/* Test functions of the Hopf points of straight rolling, 1/s: test[0] of psi-shimmy, whose
+ * amplitude of psi is larger than that of delta, and test[1] of delta-shimmy.  Each is the
+ * real part of its complex pair of eigenvalues nearest to the imaginary axis, with the sign -
+ * when an even number of its pairs grows, + when an odd one does.  It passes smoothly through 0
+ * at each of its Hopf points and nowhere else, whereas AUTO's own test, the real part of
+ * whichever pair is nearest, changes its sign where another pair becomes that.  It jumps where
+ * a growing oscillation turns from the one kind to the other, or into real eigenvalues.
+ * -1 without any pair, and on Hopf curves, where it would be 0. */
+static void hopf_tests(integer ndim, const double par[], const double u[], double test[2])
+{
+  double f[NDIM], A[NDIM * NDIM], re[NDIM], im[NDIM], none[1], v[NDIM * NDIM], work[8 * NDIM];
+  const integer one = 1, lwork = 8 * NDIM;
+  integer info = 0;
+  int growing[2] = { 0, 0 }, pairs[2] = { 0, 0 };
+
+  test[0] = test[1] = -1.;
+  if (ndim != NDIM || !usable(par) || auto_isw != 1)
+    return;
+  right_hand_side(par, u, f);
+  derivatives(par, u, f, A, NULL);
+  dgeev_("N", "V", &ndim, A, &ndim, re, im, none, &one, v, &ndim, work, &lwork, &info, 1, 1);
+  for (int i = 0; info == 0 && i + 1 < NDIM; i++)
+    if (im[i] > 0.) { /* its vector: column i and i times column i + 1 */
+      const double *x = v + NDIM * i, *y = x + NDIM;
+      const int kind = hypot(x[DELTA], y[DELTA]) > hypot(x[PSI], y[PSI]);
+
+      growing[kind] += re[i] > 0.;
+      test[kind] = pairs[kind]++ == 0 ? fabs(re[i]) : fmin(test[kind], fabs(re[i]));
+    }
+  for (int kind = 0; kind < 2; kind++)
+    if (growing[kind] % 2 == 0)
+      test[kind] = -fabs(test[kind]);
+}
+
+/* A Hopf curve, as far as it has come: where it began, how
+ * far away it has been since, and whether it has been on the other side of where it began. */
+static struct {
+  double start[MLG_SLOTS], direction[MLG_SLOTS], farthest;
+  int begun, directed, behind;
+} curve;
+
+/* How far a value lies from another: of parameters above 0 by their ratio. */
+static double away(double value, double start)
+{
+  return value > 0. && start > 0. ? log(value / start) : value - start;
+}
+
+/* Passes upwards through 0 where a curve comes round to its start, and is below 0 before: the
+ * distance from the plane across the curve at its start, once the curve has been behind that
+ * plane and is back, to a quarter of the way it has been away; else -1.  The distance is in
+ * the parameters and the period, relative to those of the start. */
+static double closing_test(const double par[])
+{
+  double d[MLG_SLOTS], distance = 0., along = 0.;
+
+  if (abs((int)auto_isw) != 2)
+    return -1.;
+  if (!curve.begun) {
+    memcpy(curve.start, par, sizeof curve.start);
+    curve.begun = 1;
+  }
+  memset(d, 0, sizeof d);
+  for (int k = 0; k < MLG_PARAMETER_COUNT; k++)
+    d[mlg_parameters[k].slot] = away(par[mlg_parameters[k].slot], curve.start[mlg_parameters[k].slot]);
+  d[PAR_PERIOD] = away(par[PAR_PERIOD], curve.start[PAR_PERIOD]);
+  for (int k = 0; k < MLG_SLOTS; k++)
+    distance += d[k] * d[k];
+  distance = sqrt(distance);
+  if (!curve.directed && distance > 1e-6) {
+    for (int k = 0; k < MLG_SLOTS; k++)
+      curve.direction[k] = d[k] / distance;
+    curve.directed = 1;
+  }
+  for (int k = 0; k < MLG_SLOTS; k++)
+    along += d[k] * curve.direction[k];
+  curve.farthest = fmax(curve.farthest, distance);
+  if (along < -1e-9)
+    curve.behind = 1;
+  return curve.behind && distance < 0.25 * curve.farthest ? along : -1.;
+}
+
+#endif
