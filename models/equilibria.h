@@ -49,40 +49,46 @@ static void hopf_tests(integer ndim, const double par[], const double u[], doubl
       test[kind] = -fabs(test[kind]);
 }
 
-/* A Hopf curve, as far as it has come: where it began, how
- * far away it has been since, and whether it has been on the other side of where it began. */
+/* A Hopf curve, as far as it has come: where it began and in which direction, the point before
+ * this one, the longest step, and whether it has been on the other side of where it began. */
 static struct {
-  double start[MLG_SLOTS], direction[MLG_SLOTS], farthest;
+  double start[MLG_SLOTS], direction[MLG_SLOTS], before[MLG_SLOTS], step;
   int begun, directed, behind;
 } curve;
 
-/* How far a value lies from another: of parameters above 0 by their ratio. */
-static double away(double value, double start)
+/* d = par - from, of parameters above 0 by their ratio, and the period; returns its length. */
+static double way_from(const double from[], const double par[], double d[])
 {
-  return value > 0. && start > 0. ? log(value / start) : value - start;
+  double square = 0.;
+
+  memset(d, 0, MLG_SLOTS * sizeof *d);
+  for (int k = 0; k <= MLG_PARAMETER_COUNT; k++) {
+    const int i = k < MLG_PARAMETER_COUNT ? mlg_parameters[k].slot : PAR_PERIOD;
+
+    d[i] = par[i] > 0. && from[i] > 0. ? log(par[i] / from[i]) : par[i] - from[i];
+    square += d[i] * d[i];
+  }
+  return sqrt(square);
 }
 
 /* Passes upwards through 0 where a curve comes round to its start, and is below 0 before: the
  * distance from the plane across the curve at its start, once the curve has been behind that
- * plane and is back, to a quarter of the way it has been away; else -1.  The distance is in
- * the parameters and the period, relative to those of the start. */
+ * plane and where it is no further from the start than its longest step; else -1.  A curve
+ * that bends back within a step may seem to close up to a step early. */
 static double closing_test(const double par[])
 {
-  double d[MLG_SLOTS], distance = 0., along = 0.;
+  double d[MLG_SLOTS], distance, along = 0.;
 
   if (abs((int)auto_isw) != 2)
     return -1.;
   if (!curve.begun) {
     memcpy(curve.start, par, sizeof curve.start);
+    memcpy(curve.before, par, sizeof curve.before);
     curve.begun = 1;
   }
-  memset(d, 0, sizeof d);
-  for (int k = 0; k < MLG_PARAMETER_COUNT; k++)
-    d[mlg_parameters[k].slot] = away(par[mlg_parameters[k].slot], curve.start[mlg_parameters[k].slot]);
-  d[PAR_PERIOD] = away(par[PAR_PERIOD], curve.start[PAR_PERIOD]);
-  for (int k = 0; k < MLG_SLOTS; k++)
-    distance += d[k] * d[k];
-  distance = sqrt(distance);
+  curve.step = fmax(curve.step, way_from(curve.before, par, d));
+  memcpy(curve.before, par, sizeof curve.before);
+  distance = way_from(curve.start, par, d);
   if (!curve.directed && distance > 1e-6) {
     for (int k = 0; k < MLG_SLOTS; k++)
       curve.direction[k] = d[k] / distance;
@@ -90,10 +96,9 @@ static double closing_test(const double par[])
   }
   for (int k = 0; k < MLG_SLOTS; k++)
     along += d[k] * curve.direction[k];
-  curve.farthest = fmax(curve.farthest, distance);
-  if (along < -1e-9)
+  if (along < 0. && distance > 1e-6)
     curve.behind = 1;
-  return curve.behind && distance < 0.25 * curve.farthest ? along : -1.;
+  return curve.behind && distance < 1.1 * curve.step ? along : -1.;
 }
 
 #endif

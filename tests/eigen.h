@@ -26,6 +26,7 @@ enum { EIGEN_SLOTS = MLG_SLOTS };
 
 /* AUTO's part (models/room.h) */
 integer auto_npar = EIGEN_SLOTS;
+integer auto_isw = 1; /* straight rolling */
 
 /* Weights of the central difference of tenth order, at 1 to 5 steps. */
 static const double eigen_weight[5] = { 5. / 6., -5. / 21., 5. / 84., -5. / 504., 1. / 1260. };

@@ -2,7 +2,7 @@
  *
  * Built once per layout, -DLAYOUT='"l1.c"' -o test-l1.  It includes the layout,
  * so that it sees device(), func(), pvls() and the helpers of plugin.h, and
- * stands in for AUTO's getp() and getmdmx_().
+ * stands in for AUTO's getp(), getmdmx_() and its variables.
  */
 #include LAYOUT
 
@@ -907,7 +907,84 @@ static void pvls_at_an_equilibrium(void **state)
     assert_near(par[PAR_DSTAR_MAX], u[DELTA] * par[PAR_L_DELTA], 1e-16);
     assert_near(par[PAR_TORUS], -1., 0.);
     assert_near(par[PAR_F_Z], 200e3, 1e-10);
+    assert_near(par[PAR_CLOSES], -1., 0.);
   }
+}
+
+/* At straight rolling: the growth of the two kinds of shimmy, as the library has it. */
+static void hopf_tests_are_the_growth_of_shimmy(void **state)
+{
+  const char name[] = LAYOUT;
+  char layout[32] = "";
+  struct libmlg_mode mode[LIBMLG_MOST_STATES];
+  double slots[MLG_SLOTS] = { 0. }, par[LIBMLG_MOST_PARAMETERS], u[NDIM] = { 0. };
+  int grows, signs = 0;
+
+  (void)state;
+  memcpy(layout, name, strcspn(name, "."));
+  memset(&mesh, 0, sizeof mesh);
+  for (int n = 0; n < SAMPLES; n++) {
+    double nearest[2] = { -1., -1. };
+    int growing[2] = { 0, 0 };
+
+    mlg_defaults(slots);
+    libmlg_defaults(par);
+    par[libmlg_parameter("V")] = slots[PAR_V] = uniform(1., 100.);
+    par[libmlg_parameter("c_d")] = slots[PAR_C_D] = uniform(1e3, 8e4);
+    pvls(NDIM, u, slots);
+    const int modes = libmlg_modes(libmlg_layout(layout), par, mode, LIBMLG_MOST_STATES, &grows);
+
+    for (int i = 0; i < modes; i++) {
+      const int kind = mode[i].delta_over_psi > 1.;
+
+      growing[kind] += mode[i].re > 0.;
+      if (nearest[kind] < 0. || fabs(mode[i].re) < nearest[kind])
+        nearest[kind] = fabs(mode[i].re);
+    }
+    for (int kind = 0; kind < 2; kind++) {
+      const double test = slots[kind ? PAR_HOPF_DELTA : PAR_HOPF_PSI];
+
+      assert_near(fabs(test), fabs(nearest[kind]), 1e-8 * fabs(test) + 1e-8);
+      assert_int_equal(test > 0., growing[kind] % 2);
+      signs += test > 0.;
+    }
+  }
+  assert_true(signs > 0 && signs < 2 * SAMPLES);
+}
+
+static void turn(double par[], double angle)
+{
+  mlg_defaults(par);
+  par[PAR_V] = 20. * exp(0.3 * cos(angle));
+  par[PAR_C_D] = 5e3 * exp(0.5 * sin(angle) + 0.15 * cos(2. * angle));
+  par[PAR_PERIOD] = 0.06 * exp(0.01 * sin(angle));
+}
+
+/* Round a closed curve it is below 0, and above where the curve has passed its start. */
+static void closing_test_passes_0_at_the_start_only(void **state)
+{
+  double par[MLG_SLOTS] = { 0. }, u[NDIM] = { 0. };
+
+  (void)state;
+  memset(&mesh, 0, sizeof mesh);
+  auto_isw = 2;
+  for (int n = 0; n < 100; n++) {
+    const double from = uniform(0., 2. * MLG_PI), step = uniform(0.02, 0.2) * (n % 2 ? 1. : -1.);
+    double way = 0.;
+
+    memset(&curve, 0, sizeof curve);
+    for (; fabs(way) < 2. * MLG_PI + fabs(step); way += way == 0. ? 0.1 * step : step) { /* AUTO's first step is a short one */
+      const double rest = fabs(way) - 2. * MLG_PI;
+
+      turn(par, from + way);
+      pvls(NDIM, u, par);
+      if (rest < 0.)
+        assert_true(par[PAR_CLOSES] < 0.);
+      else if (rest > 1e-9)
+        assert_true(par[PAR_CLOSES] > 0.);
+    }
+  }
+  auto_isw = 1;
 }
 
 static void torus_is_the_largest_complex_multiplier(void **state)
@@ -1002,6 +1079,8 @@ int main(void)
     cmocka_unit_test_setup(unusable_divisors_are_refused, seed),
     cmocka_unit_test_setup(pvls_finds_the_peaks_of_an_orbit, seed),
     cmocka_unit_test_setup(pvls_at_an_equilibrium, seed),
+    cmocka_unit_test_setup(hopf_tests_are_the_growth_of_shimmy, seed),
+    cmocka_unit_test_setup(closing_test_passes_0_at_the_start_only, seed),
     cmocka_unit_test_setup(torus_is_the_largest_complex_multiplier, seed),
     cmocka_unit_test_setup(zero_shimmy_interval_of_the_paper, seed),
   };
