@@ -68,7 +68,7 @@ setup: build/auto.mk ## packages and AUTO only
 # --- AUTO-07p and the models ------------------------------------------------
 # build/auto.mk says where AUTO is.  Including it makes it: make then starts
 # over with what it says.
-need_test_packages := prove mutants bench test% check-scripts verify study-check build/bin/eigen-%
+need_test_packages := prove mutants bench check-demos test% check-scripts verify study-check build/bin/eigen-%
 export MLG_AUTO_GIVEN := $(value AUTO_DIR)
 ifneq ($(filter-out help clean distclean test check-fresh libmlg build/lib/% build/bin/mlg drawings docs/drawings/%,$(goals)),)
 include build/auto.mk
@@ -271,6 +271,10 @@ test-programs: $(models) build/bin/mlg $(libraries) $(tests) $(layout_tests) $(o
 check-pages: page ## the page in headless Chromium, at the widths of a phone and of a desk
 	@scripts/setup.sh pages
 	@bats tests/pages
+
+.PHONY: check-demos
+check-demos: models ## every figure as a demo by AUTO alone, minutes; MLG_AUTO_NEWEST=/path tries another
+	@bats tests/demos
 
 # Times beside others; tests/bench/bench.sh PART... makes some of them.
 benches := $(layouts:%=build/bench/rhs-%)

@@ -61,7 +61,8 @@ static int between(struct search *s, const struct node *a, const struct node *b)
   if (nothing_between(a, b))
     return 0;
   if (fabs(b->x - a->x) <= s->tolerance) {
-    for (int k = abs(b->growing - a->growing); k > 0; k--, s->n++)
+    /* where their number changes a pair meets on the real axis, or leaves it: no Hopf point */
+    for (int k = a->pairs == b->pairs ? abs(b->growing - a->growing) : 0; k > 0; k--, s->n++)
       if (s->n < s->most)
         s->at[s->n] = 0.5 * (a->x + b->x);
     return 0;

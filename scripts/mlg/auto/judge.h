@@ -43,7 +43,7 @@ struct judgement {
   struct hopf_point hopf[MOST_HOPF_POINTS];
   int hopf_points;
   char hopf_along[32];    /* the first parameter */
-  double start;           /* its first value */
+  double start, step;     /* its first value, and how far the second is from it */
   int whole;              /* whether there was room for all that AUTO wrote, see below */
 };
 

@@ -82,6 +82,7 @@ void check_hopf_points(struct judgement *out, const struct af_part *part, const 
       out->hopf[out->hopf_points++] = (struct hopf_point){ at[i], gap_at(at, n, i, lo, hi) };
     snprintf(out->hopf_along, sizeof out->hopf_along, "%s", part->column[0]);
     out->start = af_value(part, 0, 0);
+    out->step = fabs(af_value(part, 1, 0) - out->start);
   }
   text_free(&text);
 }

@@ -231,9 +231,9 @@ static void ask_beside(const struct text *constants, const struct judgement *jud
     text_add(&values, "%s%.15g, %.15g", i ? ", " : "", p->at - beside, p->at + beside);
     nearest = fmin(nearest, fabs(p->at - judgement->start));
   }
-  if (line && fabs(strtod(line + 6, NULL)) > 0.1 * nearest) {
+  if (line && judgement->step > 0.1 * nearest) {
     text_append(&shorter, constants->at, (size_t)(line + 6 - constants->at));
-    text_add(&shorter, "%.6g%s", copysign(0.1 * nearest, strtod(line + 6, NULL)), line + 6 + strcspn(line + 6, "\n"));
+    text_add(&shorter, "%.6g%s", 0.1 * nearest / judgement->step * strtod(line + 6, NULL), line + 6 + strcspn(line + 6, "\n"));
   } else
     text_add(&shorter, "%s", constants->at);
   insert_point_list(&shorter, judgement->hopf_along, values.at, out);
