@@ -30,7 +30,7 @@ setup() {
   local here=$ROOT/build/tests/auto-commands/$BATS_TEST_NUMBER
   mkdir -p "$here"
   cd "$here" || return
-  cp "$ROOT"/models/*.[ch] "$ROOT"/constants/* .
+  cp "$ROOT"/models/*.[ch] "$ROOT"/constants/c.* .
   export AUTO_DIR=$AUTO PATH=$AUTO/cmds:$AUTO/bin:$PATH
 }
 

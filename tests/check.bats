@@ -27,7 +27,8 @@ some() {
   [ "$(printf '%s\n' "${lines[@]}" | grep -cE '^(l1|l2|li1|li2) (HB|HH|LP|GH) .* pass$')" -ge 30 ]
   [ "$(printf '%s\n' "${lines[@]}" | grep -cE '^l1 (TR|UZ|LPC) .* -  .* pass$')" -ge 8 ]
   [ "$(printf '%s\n' "${lines[@]}" | grep -cE '^li1 GH .* a_5 .* pass$')" -eq 2 ]
-  run ! grep -E ' (HB|HH|LP|GH) .* -  ' < <(printf '%s\n' "${lines[@]}" | grep -v ' a_5 ')
+  [ "$(printf '%s\n' "${lines[@]}" | grep -cE '^l1 (BP|ZH) .* pass$')" -eq 6 ]
+  run ! grep -E ' (HB|HH|LP|GH|BP|ZH) .* -  ' < <(printf '%s\n' "${lines[@]}" | grep -v ' a_5 ')
 }
 
 @test "a constant changed in a constants file: AUTO's value moves, the exact one does not, the row is named" {
@@ -64,6 +65,14 @@ some() {
   grep -q '^l1,HB,.*,1e-6,e=0.13,own.straight$' own.csv
   grep -q '^l1,LP,.*,1e-6,e=0.13,own.curve$' own.csv
   scripts/check.sh own.csv
+  # along another parameter: its value at each point is in the row
+  auto_run own.stiffness l1.straight V=20 h=0.11 ICP="['k_delta', 'period', 'V', 'c_d', 'k_s', 'b']" THL="{'k_delta': 1e-12}" DS=-0.003 DSMAX=0.03 \
+    UZSTOP="{'k_delta': 1.3e5}" -- HB=2 BP=1 > /dev/null
+  run -0 --separate-stderr scripts/check.sh record own.stiffness
+  printf '%s\n' "$output" > own.csv
+  [ "$(grep -c '^l1,HB,20,.*,1e-6,k_delta=[0-9.]* h=0.11,own.stiffness$' own.csv)" -eq 2 ]
+  grep -q '^l1,BP,20,.*,1e-6,k_delta=13370[0-9.]* h=0.11,own.stiffness$' own.csv
+  scripts/check.sh own.csv
 }
 
 @test "a value that is off fails in its row alone" {
@@ -78,7 +87,7 @@ some() {
 @test "slips end with one line and status 2" {
   local row
   head -n 3 tests/points.csv > head.csv
-  for row in 'l9,HB,1,1,,,,,,,,' 'l1,XX,1,1,,,,,,,,' 'l1,HB,fast,1,,,,,,,,' 'l1,HB,1,1,,,,,,,h=tall,'; do
+  for row in 'l9,HB,1,1,,,,,,,,' 'l1,XX,1,1,,,,,,,,' 'l1,HB,fast,1,,,,,,,,' 'l1,HB,1,1,,,,,,,h=tall,' 'l1,BP,1,1,,,,,,,,' 'l1,ZH,1,1,,,,,,,e,'; do
     { cat head.csv && echo "$row"; } > slip.csv
     run -2 --separate-stderr scripts/check.sh slip.csv
     [[ $stderr == *"slip.csv: point 1"* ]]

@@ -109,7 +109,7 @@ is_picture() { # FILE
   scripts/run.sh slice.straight l1.straight c_d=1e4
   scripts/run.sh slice.delta l1.periodic from=slice.straight IRS="'HB1'"
   # shellcheck disable=SC2016 # code
-  sed -n 's/^| \(a sweep\) | a loop: `\(.*\)` |$/\2/p' "$ROOT/docs/new-runs.md" >row.sh
+  sed -n 's/^| \(a sweep\) | a loop: `\([^`]*\)`.* |$/\2/p' "$ROOT/docs/new-runs.md" >row.sh
   grep -q sweep row.sh
   bash -eu row.sh
   near "$(value sweep.0.16 HB V)" "$(oracle li1 "$(value sweep.0.16 HB V)" c_d=1e4 k_s=6.38e5 b=140 e=0.16)" 1e-7 "V at e = 0.16"

@@ -8,8 +8,8 @@
 # shellcheck disable=SC2154 # of scripts/check.sh
 
 # TYPE: the values compared, first those that exact_TYPE prints, then those of AUTO alone.
-declare -A values=([HB]="V" [HH]="V c_d" [LP]="V c_d" [GH]="V c_d a_5" [TR]="V psi_max" [UZ]="psi_max" [LPC]="c_d psi_max")
-declare -A has_exact=([HB]=yes [HH]=yes [LP]=yes [GH]=yes)
+declare -A values=([HB]="V" [HH]="V c_d" [LP]="V c_d" [GH]="V c_d a_5" [TR]="V psi_max" [UZ]="psi_max" [LPC]="c_d psi_max" [BP]="parameter" [ZH]="V parameter")
+declare -A has_exact=([HB]=yes [HH]=yes [LP]=yes [GH]=yes [BP]=yes [ZH]=yes)
 # GH: AUTO has no sure test for it, only the Hopf point there, and no a_5
 
 check_row() {
@@ -23,13 +23,17 @@ check_row() {
   given=(k_s="${k_s:-1e30}" b="${b:-0}")
   # shellcheck disable=SC2206 # words
   given+=($parameters)
+  # of BP and ZH the first of the parameters is the one along which they lie
+  along=${parameters%%=*} at=${parameters#*=}
+  at=${at%% *}
+  case $type in BP | ZH) [[ $at =~ ^-?[0-9.]+([eE][-+]?[0-9]+)?$ ]] || fail "$place: '$parameters': expected NAME=VALUE, where along NAME it is, first" 2 ;; esac
   tag=$(cksum <<< "$layout ${given[*]}")
   tag=$layout.${tag%% *}
   error=$(mlg eigenvalues "$layout" "${given[@]}" V="$V" c_d="$c_d" 2>&1 > /dev/null) || fail "$place: ${error%%$'\n'*}" 2
   [ -z "${has_exact[$type]:-}" ] || read -ra by_exact <<< "$("exact_$type" 2> build/check/exact.log || true)"
   read -ra by_auto <<< "$("auto_$type" 2> build/check/auto.log || true)"
   for value in ${values[$type]}; do
-    case $value in V) expected=$V ;; c_d) expected=$c_d ;; psi_max) expected=$psi_max ;; a_5) expected=$a_5 ;; esac
+    case $value in V) expected=$V ;; c_d) expected=$c_d ;; psi_max) expected=$psi_max ;; a_5) expected=$a_5 ;; parameter) expected=$at ;; esac
     if [ -n "$expected" ]; then
       [ "$value" != a_5 ] || by_auto[i]=-
       off=$(largest_off "$expected" "${tolerance:-1e-6}" "${by_auto[i]:-none}" "${by_exact[i]-$([ -z "${has_exact[$type]:-}" ] || echo none)}") &&
@@ -99,6 +103,36 @@ exact_GH() {
   mlg generalised "$layout" "${given[@]}" "${range[@]}" | awk -F, 'NR > 1 { print $1, $2, $3, $5 }' | nearest "$V" "$c_d" | cut -d ' ' -f 1,2,4
 }
 
+# A real eigenvalue passes 0: secants along the parameter.
+exact_BP() {
+  local here=$at last gap gap_last step=0
+  last=$(awk -v x="$here" 'BEGIN { printf "%.14g", x * 1.00001 }')
+  gap_last=$(real_at "$last") && gap=$(real_at "$here") || return
+  while [ $step -lt 12 ]; do
+    read -r here last gap_last < <(awk -v c="$here" -v l="$last" -v g="$gap" -v h="$gap_last" 'BEGIN {
+      printf "%.14g %.14g %s\n", g == h ? c : c - g * (c - l) / (g - h), c, g }')
+    gap=$(real_at "$here") || return
+    awk -v c="$here" -v l="$last" 'BEGIN { exit !((c / l - 1) ^ 2 < 1e-22) }' && break
+    step=$((step + 1))
+  done
+  printf '%.10g\n' "$here"
+}
+
+# The real eigenvalue nearest to 0 at a value of the parameter.
+real_at() { # VALUE
+  mlg eigenvalues "$layout" V="$V" c_d="$c_d" "${given[@]:0:2}" "$along=$1" "${given[@]:3}" | awk -F, '
+    $2 + 0 == 0 && $3 == 0 { d = $1 < 0 ? -$1 : $1; if (best == "" || d < least) { least = d; best = $1 } }
+    END { if (best == "") exit 1; print best }'
+}
+
+# There, a Hopf point of other eigenvalues.
+exact_ZH() {
+  local here
+  here=$(exact_BP) && [ -n "$here" ] || return
+  echo "$(mlg hopf "$layout" c_d="$c_d" "${given[@]:0:2}" "$along=$here" "${given[@]:3}" | awk -F, '$2 + 0 > 0 { print $2, "", $3 }' |
+    nearest "$V" "" | cut -d ' ' -f 1) $here"
+}
+
 # --- AUTO's ----------------------------------------------------------------------
 
 # Straight rolling at a c_d over all speeds; only made once.
@@ -151,6 +185,30 @@ on_curve() { # TYPE
   nearest "$V" "$c_d" <<< "$found" | cut -d ' ' -f 1-2
 }
 
+# Straight rolling along the parameter, 3 % to either side.
+auto_BP() {
+  local low high weight
+  read -r low high weight < <(awk -v x="$at" 'BEGIN { a = 0.97 * x; b = 1.03 * x; printf "%.10g %.10g %.4g\n", (x > 0 ? a : b), (x > 0 ? b : a), 1 / x ^ 2 }')
+  mlg run "$tag.$along.V$(short "$V")" "$layout.straight" "${given[@]:0:2}" "$along=$low" "${given[@]:3}" V="$V" c_d="$c_d" ICP="['$along', 'period', 'V', 'c_d']" \
+    THL="{'$along': $weight}" DS=0.001 DSMAX=0.003 UZSTOP="{'$along': $high}" -- > /dev/null
+  mlg rows "$tag.$along.V$(short "$V")" only=BP columns="$along:.10g" | awk -v x="$at" 'NF { d = ($1 / x - 1) ^ 2; if (b == "" || d < l) { l = d; b = $1 } } END { print b }'
+}
+
+# The Hopf curve in that parameter and V, from 3 % above. AUTO would label the point BP.
+auto_ZH() {
+  local start=$tag.$along from range weight name way
+  read -r from range weight < <(awk -v x="$at" 'BEGIN { a = 0.97 * x; b = 1.06 * x
+    printf "%.10g %.10g,%.10g %.4g\n", 1.03 * x, (x > 0 ? a : b), (x > 0 ? b : a), 1 / x ^ 2 }')
+  mlg run "$start" "$layout.straight" "${given[@]:0:2}" "$along=$from" "${given[@]:3}" c_d="$c_d" V="$(awk -v V="$V" 'BEGIN { print V / 2 }')" \
+    UZSTOP="{'V': $(awk -v V="$V" 'BEGIN { print V * 2 }')}" -- > /dev/null
+  name=$(points_of "$start" HB | nearest "$V" "" | cut -d ' ' -f 4)
+  for way in '' -; do
+    mlg run "$start.$way" "$layout.hopf" from="$start" IRS="'$name'" ICP="['$along', 'V', 'period', 'c_d']" THL="{'$along': $weight}" DS="${way}0.001" DSMAX=0.01 \
+      ILP=0 ISP=2 IID=2 SP="['GH0', 'BP0']" NMX=20000 UZSTOP="{'$along': [${range/,/, }], 'V': [0.1, 300.0]}" -- > /dev/null || true
+    mlg rows "$start.$way" only=ZH columns="V:.10g,$along:.10g,frequency:.10g" | tr , ' '
+  done | nearest "$V" "$at" | cut -d ' ' -f 1-2
+}
+
 # Orbits along V, from every Hopf point of about this frequency.
 along_V() { # TYPES WORD...
   local types=$1 name
@@ -187,7 +245,7 @@ auto_LPC() {
 # --- record ----------------------------------------------------------------------
 
 record_run() { # RUN
-  local run=$1 layout boundary=no root text others columns name
+  local run=$1 layout boundary=no root text others columns name along
   check_name "$run"
   [ -f "build/runs/$run/c.$run" ] || fail "check: there is no run $run in build/runs" 2
   text=$(<"build/runs/$run/c.$run")
@@ -198,12 +256,15 @@ record_run() { # RUN
   others=$(sed -n 's/^PAR = {\(.*\)}$/\1/p' "build/runs/$root/c.$root" | tr ',' '\n' | sed "s/^ *'\(.*\)': */\1=/" |
     grep -v -e '^V=' -e '^c_d=' -e '^k_s=' -e '^b=' -e '^compliance=' -e '^$' | xargs || true)
   ! grep -q "'V_1'" <<< "$text" || boundary=yes
+  # along another parameter than these its value at the point comes first
+  along=$(sed -n "s/^ICP = \['\([A-Za-z_]*\)'.*/\1/p" <<< "$text")
+  case $along in V | c_d | k_s | b | compliance) along='' ;; *) others=$(tr ' ' '\n' <<< "$others" | grep -v "^$along=" | xargs || true) ;; esac
   if [ $boundary = yes ]; then columns=type,V_1:.10g,c_1:.10g,k_s:.10g,b:.10g,f_1:.10g; else
     columns=type,V:.10g,c_d:.10g,k_s:.10g,b:.10g,frequency:.10g
     for name in psi_max torus; do if grep -q "^ICP.*'$name'" <<< "$text"; then columns+=,$name:.10g; else columns+=,name; fi; done
-    columns+=,name
+    columns+=,name${along:+,$along:.10g}
   fi
-  mlg rows "$run" only=HB,HH,TR,LP,UZ columns="$columns" | awk -F, -v layout="$layout" -v others="$others" -v run="$run" -v boundary=$boundary \
+  mlg rows "$run" only=HB,HH,ZH,BP,TR,LP,UZ columns="$columns" | awk -F, -v layout="$layout" -v others="$others" -v run="$run" -v boundary=$boundary -v along="$along" \
     -v orbits="$(grep -c '^IPS = 2' <<< "$text")" '
     { type = $1 == "" ? substr($9, 1, 2) : $1 }
     boundary == "yes" && $1 == "" { print layout ",LP," $2 "," $3 "," $4 "," $5 "," $6 ",,,1e-6," others "," run }
@@ -211,7 +272,11 @@ record_run() { # RUN
     orbits && $8 == $9 && type != "LP" { next } # curves of torus points
     type == "UZ" && (!orbits || $8 ^ 2 < 1e-6 || $2 == "") { next }
     type == "LP" && orbits { type = "LPC" }
-    { print layout "," type "," $2 "," $3 "," $4 "," $5 "," $6 "," (orbits ? $7 : "") ",," (orbits ? "1e-5" : "1e-6") "," others "," run }'
+    type == "LP" && along != "" { next } # an extremum of another parameter than c_d
+    type == "BP" && (orbits || along == "") { next }
+    type == "ZH" && along == "" { next }
+    { first = along == "" ? "" : along "=" $NF (others == "" ? "" : " ") }
+    { print layout "," type "," $2 "," $3 "," $4 "," $5 "," $6 "," (orbits ? $7 : "") ",," (orbits ? "1e-5" : "1e-6") "," first others "," run }'
 }
 
 start_of() { sed -n "s/^s = '\(.*\)'$/\1/p" "build/runs/$1/c.$1"; }
