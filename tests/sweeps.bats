@@ -69,7 +69,9 @@ e = 0.06 : 0.18 : 3
 ask = hopf {layout} {parameters}
 keep = V, shimmy as mode
 END
-  scripts/sweep.sh run build/exact.sweep jobs=1
+  mkdir -p 'build/a folder'
+  mv build/exact.sweep 'build/a folder'
+  (cd 'build/a folder' && ../../scripts/sweep.sh run exact.sweep jobs=1)
   [ "$(rows exact | head -n 1)" = case,c_d,e,V,mode ]
   n=0
   for c_d in 2800 3e4; do

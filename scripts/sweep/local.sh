@@ -16,7 +16,7 @@ compute() {
     printf '  %s: %d blocks of %d cases, %d jobs; by GNU parallel (O. Tange, doi:10.5281/zenodo.1146014; please cite it)\n' "$name" "$left" "$size" "$jobs"
     export PARALLEL_HOME=$PWD/build/sweeps/.parallel # what it notes for itself; ~/.parallel counts too
     mkdir -p "$PARALLEL_HOME"
-    parallel --jobs "$jobs" "${bar[@]}" --halt now,fail=1 --joblog "$folder/joblog" -a "$folder/todo.$$" \
+    parallel -q --jobs "$jobs" "${bar[@]}" --halt now,fail=1 --joblog "$folder/joblog" -a "$folder/todo.$$" \
       build/bin/mlg cases "$file" block={} folder="$folder" size="$size" "${retry[@]}" < /dev/null || status=$?
   fi
   rm -f "$folder/todo.$$"
