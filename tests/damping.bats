@@ -182,7 +182,7 @@ best c_d=1:2:3
 best V=3
 best b_most=300
 b_most=300
-V_least=0
+V_least=-1
 V_least=200
 V_least=5 V_top=4
 k_s=1:2:2 c_d=1:2:2 b=0:1:2 V=1:2:2 l=1:2:2

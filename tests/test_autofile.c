@@ -26,6 +26,7 @@
 #include "branch.h"
 #include "ending.h"
 #include "judge.h"
+#include "judgepoints.h"
 #include "sums.h"
 #include "numbers.h"
 
@@ -486,6 +487,37 @@ static void stability_near_1_is_told_by_the_branch(void **state)
   text_free(&d);
 }
 
+/* Orbits that are born unstable: AUTO counts them stable until their multiplier has left 1
+ * by its tolerance, which is no bifurcation stepped over; one beyond clear orbits is. */
+static void a_count_within_tolerance_is_no_change(void **state)
+{
+  static const double born[] = { 1.000001, 1.000004, 1.00002, 1.00008 }, stepped_over[] = { 0.9, 0.99, 1.000004, 1.01 };
+
+  (void)state;
+  for (int missed = 0; missed < 2; missed++) {
+    struct text b = TEXT_NONE, d = TEXT_NONE, why = TEXT_NONE;
+    struct judgement out = { TEXT_NONE, TEXT_NONE, TEXT_NONE, 0 };
+    struct af_branches all;
+
+    add_head(&b, 2, 2, 2, 1, 3, "");
+    for (int i = 0; i < 4; i++) {
+      const double mu = missed ? stepped_over[i] : born[i];
+
+      add_point(&b, 1, i + 1, 0, 0, 3, 1. + i);
+      add_multipliers(&d, i + 1, mu);
+    }
+    assert_int_equal(read_back(&all, &b, &d, &why), 0);
+    check_stability(&all, &out, &all.part[0], 4);
+    assert_int_equal(out.complaints.length > 0, missed);
+    if (missed)
+      assert_non_null(strstr(out.complaints.at, "3 stable multipliers become 2 without a label between"));
+    judgement_free(&out);
+    af_free(&all);
+    text_free(&b);
+    text_free(&d);
+  }
+}
+
 static void expected_words(void **state)
 {
   char *good[] = { "HB=4", "closed=1", "EP=0" }, *unknown[] = { "XX=0" }, *large[] = { "HB=99999999999" }, *twice[] = { "HB=1", "HB=2" };
@@ -623,6 +655,7 @@ int main(void)
     cmocka_unit_test(the_judge_says_what_was_not_looked_for),
     cmocka_unit_test(no_stability_where_AUTO_computed_none),
     cmocka_unit_test(stability_near_1_is_told_by_the_branch),
+    cmocka_unit_test(a_count_within_tolerance_is_no_change),
     cmocka_unit_test(expected_words),
     cmocka_unit_test(names_of_runs),
     cmocka_unit_test(any_change_is_read_or_refused),

@@ -26,7 +26,6 @@
   X(telling)        /* gear/telling.c */ \
   X(eigenvalues)    /* gear/eigenvalues.c */ \
   X(damping)        /* gear/damping.c */ \
-  X(best)           /* gear/best.c */ \
   X(transients)     /* gear/transients.c */ \
   X(criticality)    /* gear/criticality.c */ \
   X(unfolding)      /* gear/unfolding.c */ \

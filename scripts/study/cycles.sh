@@ -51,18 +51,23 @@ diagram() { # LAYOUT WHICH C_D
   done
 }
 
-# Shimmy from Hopf point i; at a sharp fold a finer step helps.
+# Shimmy from Hopf point i.  A small branch wants a small first step, a sharp fold a fine one;
+# beside such a fold AUTO's search takes many iterations.
 branch() {
-  local finer noted
+  local first step points noted
   noted=$(cat "$part.failures")
-  for finer in 1 0.3; do
-    if run_or_note "$name.$n" "$layout.periodic" from="$name.straight" IRS="'HB$i'" ILP=1 NPR=10 NMX=1500 ITMX=20 \
-      DS="$(times "$top" 5e-5)" DSMAX="$(times "$top" "2.5e-3 * $finer")" UZR="{'torus': [-1e-5, 2e-5]}" \
+  while read -r first step points; do
+    if run_or_note "$name.$n" "$layout.periodic" from="$name.straight" IRS="'HB$i'" ILP=1 NPR=10 NMX="$points" ITMX=200 \
+      DS="$(times "$top" "$first")" DSMAX="$(times "$top" "$step")" UZR="{'torus': [-1e-5, 2e-5]}" \
       UZSTOP="{'V': [$(times "$start" 0.5), $top], 'psi_max': 60.0, 'dstar_max': 0.3}" --; then
       settle_failures "$noted"
       return
     fi
-  done
+  done << 'END'
+5e-4 2.5e-3 1500
+5e-5 2.5e-3 1500
+1e-4 8e-4 4000
+END
   settle_failures "$noted${noted:+$'\n'}$(tail -n 1 "$part.failures")"
   return 1
 }

@@ -75,6 +75,11 @@ static struct multipliers multipliers(const struct af_branches *all, const struc
   return m;
 }
 
+int multipliers_are_clear(const struct af_branches *all, const struct af_point *p)
+{
+  return p->eigenvalues > 1 && multipliers(all, p).near == 0;
+}
+
 /* Whether the parameter has an extremum at a point, or that is labelled as one where a
  * real multiplier passes 1.  Where the orbit is smallest too there is no fold: the
  * branch has passed a Hopf point and comes back over the same orbits. */

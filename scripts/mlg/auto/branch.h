@@ -24,6 +24,10 @@ const char *point_type(const struct af_branches *all, const struct af_part *part
  * points that follow, up to the next fold or branch point. */
 int point_stability(const struct af_branches *all, const struct af_part *part, long point);
 
+/* Whether none of an orbit's multipliers, the trivial one left aside, lies within AUTO's
+ * tolerance of the unit circle: its number of stable ones means something. */
+int multipliers_are_clear(const struct af_branches *all, const struct af_point *point);
+
 /* Whether the run looked for points of a type ("HB"). */
 int looks_for(const struct af_constants *constants, const char *type);
 

@@ -36,7 +36,8 @@ static const char *advice(const struct af_part *part, long i)
 
 /* A change of the number of stable eigenvalues or multipliers without the label of a
  * bifurcation: stepped over.  At a Hopf point, where orbits begin, AUTO counts none,
- * and in its first step it looks for no bifurcation. */
+ * and in its first step it looks for no bifurcation.  Orbits with a multiplier too near to
+ * the unit circle to be told, as all are beside a Hopf point, are left out. */
 void check_stability(const struct af_branches *all, struct judgement *out, const struct af_part *part, long points)
 {
   const struct af_constants *c = &part->constants;
@@ -44,13 +45,24 @@ void check_stability(const struct af_branches *all, struct judgement *out, const
 
   if (c->ISW != 1 || c->ISP <= 0 || strstr(c->SP, "TR0") || (c->IPS != 1 && c->IPS != 2))
     return;
+  const int orbits = counted && is_orbits(part);
+  const int from_0 = clear_of_axis(all, &part->point[0]) && !(orbits && !multipliers_are_clear(all, &part->point[0]));
+  int labelled = is_bifurcation(af_type_name(part->point[0].type));
+  long last = 0;
+
   for (long i = 1; i < points; i++) {
-    const struct af_point *p = &part->point[i], *was = p - 1;
+    const struct af_point *p = &part->point[i], *was = &part->point[last];
     const int now = counted ? p->stable_count : p->stable, before = counted ? was->stable_count : was->stable;
+    const int label = is_bifurcation(af_type_name(p->type)), explained = labelled || label || (last == 0 && !from_0);
+    const long from = last;
     struct text text = TEXT_NONE;
 
-    if (now == before || (i == 1 && !clear_of_axis(all, was)) || is_bifurcation(af_type_name(p->type))
-        || is_bifurcation(af_type_name(was->type)))
+    labelled |= label;
+    if (orbits && now >= 0 && !multipliers_are_clear(all, p))
+      continue;
+    labelled = label;
+    last = i;
+    if (now == before || explained)
       continue;
     if (counted && now < 0)
       text_add(&text, "no stability in d. at %s = %.6g", part->column[0], af_value(part, i, 0));
@@ -59,7 +71,7 @@ void check_stability(const struct af_branches *all, struct judgement *out, const
     else
       text_add(&text, "stable becomes %s", now ? "of unstable" : "unstable");
     if (!(counted && now < 0))
-      text_add(&text, " without a label between %s = %.6g and %.6g (%s)", part->column[0], af_value(part, i - 1, 0),
+      text_add(&text, " without a label between %s = %.6g and %.6g (%s)", part->column[0], af_value(part, from, 0),
                af_value(part, i, 0), advice(part, i));
     complain(out, text.at);
     text_free(&text);

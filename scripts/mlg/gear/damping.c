@@ -48,12 +48,12 @@ static _Noreturn void no_answer(const struct arguments *a)
   fail(name, MLG_FAILED, "no eigenvalues at V = %g, c_d = %g", a->par[NUMBER_V], a->par[NUMBER_C_D]);
 }
 
-/* The least damped mode at the V of a. */
+/* The least damped mode at V; V = 0 is a limit: there a root is 0. */
 static struct libmlg_mode mode_at(struct arguments *a, double V)
 {
   struct libmlg_mode mode;
 
-  a->par[NUMBER_V] = V;
+  a->par[NUMBER_V] = V > 0. ? V : 1e-6 * a->V_top;
   if (libmlg_least_damped(a->layout, a->par, &mode) != 0)
     no_answer(a);
   return mode;
@@ -187,7 +187,7 @@ static void add_range(struct search *search, const char *text)
 
 static int damping(int argc, char *argv[])
 {
-  struct search search = { .option = { [V_LEAST] = { "V_least", "m/s", 1e-6, 1e3, 0.3, NULL },
+  struct search search = { .option = { [V_LEAST] = { "V_least", "m/s", 0., 1e3, 0.3, NULL },
                                        [B_LEAST] = { "b_least", "N m s^2/rad", 0., 1e9, 0., NULL },
                                        [B_MOST] = { "b_most", "N m s^2/rad", 0., 1e9, 0., NULL } } };
   struct arguments *a = &search.given;
@@ -227,8 +227,8 @@ const struct command command_damping = {
   .summary = "least damping ratio of straight rolling, as a table or the best",
   .details =
     "zeta = -Re(s)/|s| is the least over all eigenvalues s, at V if that is given, otherwise\n"
-    "the least over all V from V_least to V_top, exactly.  N values stand in equal ratios,\n"
-    "from FROM = 0 in equal steps.\n"
+    "the least over all V from V_least (0: the limit) to V_top, exactly.  N values stand in\n"
+    "equal ratios, from FROM = 0 in equal steps.\n"
     "\n"
     "  mlg damping li1 b=140 k_s=6.38e5 c_d=6e3                   its least damping ratio\n"
     "  mlg damping li1 b=140 k_s=6.38e5 c_d=6e3 V=0.5:200:300     along V\n"
