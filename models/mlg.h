@@ -56,7 +56,7 @@
   X(20, J_XI,    "J_xi",    "kg m^2",       200.0,  1e-6, 1e9,       "moment of inertia at D, axis xi") \
   X(21, J_ETA,   "J_eta",   "kg m^2",       250.0,  1e-6, 1e9,       "moment of inertia at D, axis eta") \
   X(22, J_ZETA,  "J_zeta",  "kg m^2",       100.0,  1e-6, 1e9,       "moment of inertia at D, axis zeta") \
-  X(23, PHI,     "phi",     "rad",   MLG_PI / 60.,  -1.5, 1.5,       "rake angle, 3 degrees") \
+  X(23, PHI,     "phi",     "rad",   MLG_PI / 60.,  -1.5, 1.5,       "rake angle") \
   X(24, H,       "h",       "m",              0.1,  1e-3, 100.,      "half of the contact patch length") \
   X(25, K_T,     "k_t",     "N/m",          7.0e5,    1., 1e12,      "tyre vertical stiffness") \
   X(26, K_ALPHA, "k_alpha", "m",              1.0,    0., 1e3,       "tyre self-aligning coefficient") \
@@ -65,7 +65,7 @@
   X(29, R,       "R",       "m",            0.362,  1e-3, 100.,      "tyre unloaded radius") \
   X(30, ALPHA_M, "alpha_m", "rad",         0.1745,  1e-3, 1.5,       "maximum slip angle")  \
   X(31, G,       "g",       "m/s^2",         9.81,  1e-3, 1e3,       "gravitational constant") \
-  X(32, M,       "M",       "kg", 200e3/9.81-500.,    0., 1e6,       "mass above B: (M + m_D) g = 200 kN")
+  X(32, M,       "M",       "kg", 200e3/9.81-500.,    0., 1e6,       "mass above B: the load is (M + m_D) g")
 
 /* Results that pvls computes at every point; list them in ICP to see them. */
 #define MLG_RESULTS(X)                                                         \

@@ -17,8 +17,10 @@ here=$OLDPWD
 export MLG_USES=/dev/null MLG_TIME_LIMIT=${MLG_TIME_LIMIT:-60}
 . scripts/study/exact.sh
 . scripts/study/cycles.sh
+. scripts/study/torus.sh
 . scripts/study/pictures.sh
 . scripts/study/words.sh
+. scripts/study/sections.sh
 . scripts/study/compare.sh
 
 usage="usage: scripts/study.sh NAME [gear=FILE] [layouts=l1,l2,...] [V_top=200] [b_most=VALUE] [c_d=VALUE] [at=C_D,...] [exact] [PARAMETER=VALUE ...]; scripts/study.sh compare NAME NAME"

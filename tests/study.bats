@@ -36,6 +36,14 @@ shimmies() { # LAYOUT PARAMETER...
 
 steady() { if shimmies "$@"; then return 1; fi; }
 
+# V at c_d = 5e4 on a curve: rows curve,V,c_d
+on_curve() { # FILE CURVE
+  awk -F, -v curve="$2" '
+    index($1, curve) != 1 || NF != 3 { next }
+    last && ($3 - 5e4) * (c - 5e4) <= 0 { print V + ($2 - V) * (5e4 - c) / ($3 - c); exit }
+    { V = $2; c = $3; last = 1 }' "$1"
+}
+
 study() { scripts/study.sh "$@" > study.log 2>&1 || { cat study.log; return 1; }; }
 
 @test "the paper's gear, L1: interval, double Hopf points, branches, criticality, the page" {
@@ -43,11 +51,17 @@ study() { scripts/study.sh "$@" > study.log 2>&1 || { cat study.log; return 1; }
   near "$(of paper l1 rigid c_lo)" 2754.352 1e-6
   near "$(of paper l1 rigid c_hi)" 3018.979 1e-6
   near "$(of paper l1 rigid zeta)" 2.7e-5 1e-2
-  says paper "Double Hopf points.*(24.84 m/s, 3.204e+04), (60.98 m/s, 6.188e+04)"
+  says paper "Double Hopf points.*: 24.84 m/s, c_d = 3.204e+04; 60.98 m/s, c_d = 6.188e+04"
   says paper "^- inside, .*no Hopf point"
   says paper "^- above, .*delta-shimmy"
   says paper "^- overlap, .*2 branches; psi-shimmy.*torus point at .*; delta-shimmy.*torus point"
   says paper "supercritical at 10.79 m/s"
+  says paper "Regions are named by the mode that grows; the 4 branches computed below show the same"
+  # the torus curves of Figure 7, from one double Hopf point to the other, and where those pass c_d = 5e4
+  says paper "Torus curves.*from (60.98 m/s, 6.188e+04) to (24.84 m/s, 3.204e+04)"
+  for n in 1 2; do
+    near "$(on_curve build/studies/paper/torus.l1.csv $n)" "$(sed -n "/^torus_$([ $n = 1 ] && echo psi || echo delta),/p" results/fig07.csv | awk -F, '{ print $1 "," $4 "," $5 }' | on_curve - torus_)" 2e-3
+  done
   says paper "No run failed"
   [ "$(grep -c '<img src="data:image/svg' build/studies/paper/report.html)" -ge 3 ]
   [ "$(grep -c 'src="[^d]' build/studies/paper/report.html)" -eq 0 ]
@@ -70,7 +84,7 @@ study() { scripts/study.sh "$@" > study.log 2>&1 || { cat study.log; return 1; }
   study printed gear=gear.own layouts=l1,l2 exact
   says printed "your own device: k_s = 786000"
   says printed "Your c_d = 5000\*\*, L1: shimmy"
-  says printed "Your c_d = 5000\*\*, L2: no shimmy"
+  says printed "Your c_d = 5000\*\*, L2 with k_s = 7.86e+05 N m/rad: no shimmy"
   steady l2 phi=0.0524 M=19900 k_s=7.86e5 c_d=5e3
   shimmies l1 phi=0.0524 M=19900 c_d=5e3
   study wide layouts=l2,li2 exact b_most=140

@@ -23,12 +23,11 @@ compare() { # NAME NAME
     done
     for layout in $layouts; do
       printf '\n## %s\n\n' "$(name_of "$layout")"
-      for picture in plane regions branches; do
+      for picture in plane regions; do
         for name; do
-          if [ -s "build/studies/$name/$picture.$layout.svg" ]; then
-            printf '%s\n\n![%s of %s](%s/%s.%s.svg)\n\n' "$name:" "$picture" "$name" "$name" "$picture" "$layout"
-          fi
+          [ ! -s "build/studies/$name/$picture.$layout.svg" ] || printf '![%s of %s](%s/%s.%s.svg) ' "$picture" "$name" "$name" "$picture" "$layout"
         done
+        printf '\n\n'
       done
     done
   } > "build/studies/$first.$second.md"

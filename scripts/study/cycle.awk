@@ -1,6 +1,7 @@
 # cycle.awk - one branch of shimmy as a row of cycles.csv (cycles.sh)
 #   lines type,V,psi_max,dstar_max,stable: its points; orbit,phase,t,psi,dstar,lambda_L,lambda_R
-#   (degrees, metres): orbits on it.  row: the cells before; e: phi l_delta a k_t F_z l alpha_m
+#   (degrees, metres): orbits on it.  row: the cells before; born: the mode of its Hopf point;
+#   e: phi l_delta a k_t F_z l alpha_m
 # slip: largest slip angle over alpha_m; roll: largest unloading a mu k_t/2 over F_z/2, mu of (16)
 BEGIN {
   FS = OFS = ","
@@ -22,12 +23,10 @@ $1 == "orbit" {
   if ($3 + 0 > psi) psi = $3 + 0
   if ($4 + 0 > dstar) dstar = $4 + 0
   if ($1 == "TR") torus = torus (torus == "" ? "" : " ") $2
-  if ($1 == "LP") { fold[++lps] = $2; fold_psi[lps] = $3; fold_dstar[lps] = $4 }
+  if ($1 == "LP") folds = folds (folds == "" ? "" : " ") $2
   if ($5 == 1) stable++
   if ($5 == 0 && $5 != "") unstable++
 }
 END {
-  # the end of a branch, where AUTO turns round on a Hopf point, is no fold
-  for (i = 1; i <= lps; i++) if (fold_psi[i] > 0.05 * psi || fold_dstar[i] > 0.05 * dstar) folds = folds (folds == "" ? "" : " ") fold[i]
-  if (n) print row, from, to, psi, dstar, torus, folds, stable + 0, unstable + 0, sprintf("%.3g", slip), sprintf("%.3g", roll)
+  if (n) print row, from, to, psi, dstar, torus, folds, stable + 0, unstable + 0, sprintf("%.3g", slip), sprintf("%.3g", roll), born
 }

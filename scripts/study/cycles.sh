@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # cycles.sh - what a study has from AUTO: shimmy along V at the telling c_d of each base
-# design, and by integration its decay; sourced by study.sh
+# design, and by integration the decay of the best; sourced by study.sh
 #
 # In build/studies/NAME: branches.csv (points of the branches), cycles.csv (a row for each
 # branch), failures.csv (runs that failed, and why), transients.csv, history.LAYOUT.csv.
@@ -37,15 +37,17 @@ diagram() { # LAYOUT WHICH C_D
   : > "$part.failures"
   : > "$part.branches"
   : > "$part.cycles"
-  mapfile -t speeds < <(mlg hopf "$layout" c_d="$c_d" "${gear[@]}" V_top="$top" "${base[@]}" | sed 1,2d | cut -d , -f 2)
+  mlg hopf "$layout" c_d="$c_d" "${gear[@]}" V_top="$top" "${base[@]}" | sed 1,2d > "$part.hopf"
+  mapfile -t speeds < <(cut -d , -f 2 "$part.hopf")
   straight || return 0
-  rows_of "$name.straight" straight every=50
+  rows_of "$name.straight" straight every=50 >> "$part.branches"
   local ended=' '
   for ((i = 1; i <= ${#speeds[@]}; i++)); do
     [[ $ended != *" $i "* ]] || continue
     n=$((n + 1))
     branch || continue
-    rows_of "$name.$n" "$n" ends
+    rows_of "$name.$n" "$n" ends > "$part.rows"
+    without_false_folds "$part.rows" >> "$part.branches"
     ended+="$(ended_at "$i") "
     cycle "$name.$n" "$n" "$i"
   done
@@ -92,7 +94,15 @@ straight() {
 settle_failures() { printf '%s' "$1${1:+$'\n'}" > "$part.failures"; }
 
 rows_of() { # RUN BRANCH WORD
-  mlg rows "$1" prefix="$layout,$which,$c_d,$2" columns=type,V,psi_max,dstar_max,stable:d bifurcations=stable "${@:3}" >> "$part.branches"
+  mlg rows "$1" prefix="$layout,$which,$c_d,$2" columns=type,V,psi_max,dstar_max,stable:d bifurcations=stable "${@:3}"
+}
+
+# The end of a branch, where AUTO turns round on a Hopf point, is no fold.
+without_false_folds() { # ROWS
+  awk -F, -v OFS=, '
+    NR == FNR { if ($7 > psi) psi = $7; if ($8 > dstar) dstar = $8; next }
+    $5 == "LP" && $7 < 0.05 * psi && $8 < 0.05 * dstar { $5 = "" }
+    { print }' "$1" "$1"
 }
 
 # The number of the Hopf point, other than that where it began, that the branch n ends on.
@@ -114,57 +124,71 @@ cycle() { # RUN BRANCH NUMBER
     for label in $(mlg table "$1" labels | awk -F, '!/^#/ && $1 + 0 { print $2 }'); do
       mlg orbit "$1" "$label" phases=48 prefix=orbit 2> /dev/null || true
     done
-  } | awk -v row="$layout,$which,$c_d,$2,$shimmy,$closed" -v e="$(gear_values)" -f scripts/study/cycle.awk >> "$part.cycles"
+  } | awk -v row="$layout,$which,$c_d,$2,$shimmy,$closed" -v born="$(sed -n "$3p" "$part.hopf" | cut -d , -f 4)" -v e="$(gear_values)" -f scripts/study/cycle.awk >> "$part.cycles"
 }
 
 gear_values() { awk -F, '{ v[$1] = $2 } END { print v["phi"], v["l_delta"], v["a"], v["k_t"], (v["M"] + v["m_D"]) * v["g"], v["l"], v["alpha_m"] }' "$folder/gear.csv"; }
 
-# Peaks and settling after the standard disturbances at the base design's best c_d, at the speed
-# of its least ratio and at half of V_top.
-decay() { # LAYOUT
-  local layout=$1 c_d zeta V part=$folder/parts/$1.decay
-  : > "$part.transients"
-  IFS=, read -r _ _ c_d zeta V _ < <(mlg best "$layout" "${gear[@]}" V_top="$top" "${base[@]}" ${own_c_d:+c_d="$own_c_d"} | sed 1,2d) || return 0
-  awk -v zeta="$zeta" 'BEGIN { exit !(zeta > 0) }' || return 0
-  awk -v V="$V" -v top="$top" 'BEGIN { exit !(V > top / 1000) }' || V=$(times "$top" 0.005)
-  for V in "$V" "$(times "$top" 0.5)"; do
-    mlg transients "$layout" "${gear[@]}" V_top="$top" "${base[@]}" c_d="$c_d" V="$V" t_end=20 2> /dev/null |
-      sed "1d; s/^/$layout,$c_d,/" >> "$part.transients" || return 0
-  done
-  mlg simulate "$layout" history "${gear[@]}" "${base[@]}" c_d="$c_d" V="$(sed -n '1s/^[^,]*,[^,]*,\([^,]*\),.*/\1/p' "$part.transients")" dpsi=1 t_end=2 dt=0.002 > "$folder/history.$layout.csv"
+# What is to be built of a layout: the user's own device, or else the best damped one.
+recommended() { # LAYOUT: k_s,b,c_d,zeta,V, or nothing where that is shimmy
+  awk -F, -v layout="$1" -v own="$own_c_d" -v k_s="$([ -z "$own_k_s$own_b" ] || echo "$base_k_s")" -v b="$base_b" '
+    $1 != layout || (own != "" && $2 != "yours") || (k_s != "" && ($3 != k_s || $4 != b)) || $14 + 0 <= most { next }
+    { most = $14 + 0; row = $3 "," $4 "," $13 "," $14 "," $15 }
+    END { if (row != "") print row }' "$folder/designs.csv"
 }
 
-# All jobs, side by side; on a terminal a line for each that begins.
-cycles() {
-  local layout which c_d jobs=() one n ended
-  for layout in $layouts; do
-    ! has "$layout" k_s || jobs+=("best_damped $layout")
-    [ "$exact" = no ] || continue
-    n=0
-    while IFS=, read -r which c_d _; do
-      [ "$which" = which ] || jobs+=("diagram $layout $which.$n $c_d")
-      n=$((n + 1))
-    done < "$folder/telling.$layout.csv"
-    jobs+=("decay $layout")
+# Peaks and settling after the standard disturbances, at the speed of the least ratio and at half
+# of V_top.
+decay() { # LAYOUT
+  local layout=$1 k_s b c_d V words part=$folder/parts/$1.decay
+  : > "$part.transients"
+  IFS=, read -r k_s b c_d _ V < <(recommended "$layout") || return 0
+  mapfile -t words < <(device "$layout" "$k_s" "$b")
+  awk -v V="$V" -v top="$top" 'BEGIN { exit !(V > top / 1000) }' || V=$(times "$top" 0.005)
+  mlg simulate "$layout" history "${gear[@]}" "${words[@]}" c_d="$c_d" V="$V" dpsi=1 t_end=2 dt=0.002 > "$folder/history.$layout.csv"
+  for V in "$V" "$(times "$top" 0.5)"; do
+    mlg transients "$layout" "${gear[@]}" V_top="$top" "${words[@]}" c_d="$c_d" V="$V" t_end=20 2> /dev/null |
+      sed "1d; s/^/$layout,$c_d,/" >> "$part.transients" || return 0
   done
-  rm -f "$folder"/history.*.csv
-  n=0
-  for one in "${jobs[@]}"; do
+}
+
+# The jobs, side by side; on a terminal a line for each that begins.
+run_jobs() { # COMMAND...
+  local one layout n=0
+  for one; do
     read -r _ layout _ <<< "$one"
     get_base "$layout"
     # shellcheck disable=SC2086 # words
     job $one
     n=$((n + 1))
-    [ ! -t 1 ] || say "[$n of ${#jobs[@]}] ${one/diagram /}"
+    [ ! -t 1 ] || say "[$n of $#] ${one/diagram /}"
   done
   wait
+}
+
+# First what takes longest; torus curves begin at points of the diagrams.
+cycles() {
+  local layout which c_d jobs=() after=() n runs
+  for layout in $layouts; do ! has "$layout" k_s || jobs+=("best_damped $layout"); done
+  for layout in $layouts; do
+    [ "$exact" = no ] && [ -z "$(twin_of "$layout")" ] || continue
+    n=0
+    while IFS=, read -r which c_d _; do
+      [ "$which" = which ] || jobs+=("diagram $layout $which.$n $c_d")
+      n=$((n + 1))
+    done < "$folder/telling.$layout.csv"
+    after+=("torus_curves $layout" "decay $layout")
+  done
+  rm -f "$folder"/{history,torus}.*.csv
+  run_jobs "${jobs[@]}"
   gather branches layout,which,c_d,branch,type,V,psi_max,dstar_max,stable
-  gather cycles layout,which,c_d,branch,shimmy,closed,V_from,V_to,psi_max,dstar_max,torus,folds,stable,unstable,slip,roll
-  gather failures run,reason
+  gather cycles layout,which,c_d,branch,shimmy,closed,V_from,V_to,psi_max,dstar_max,torus,folds,stable,unstable,slip,roll,born
   find "$folder/parts" -name '*.best' | sort | xargs -r cat >> "$folder/designs.csv"
+  run_jobs "${after[@]}"
   gather transients layout,c_d,V,disturbance,psi_max,dstar_max,psi_5,psi_end,dstar_5,dstar_end,rate,zeta,limits
-  ended=$(($(wc -l < "$folder/failures.csv") - 1))
-  [ "$exact" = yes ] || say "AUTO: ${#jobs[@]} jobs, $(($(wc -l < "$folder/cycles.csv") - 1)) branches, $ended runs failed"
+  gather failures run,reason
+  runs=$(find "$folder/runs" -mindepth 1 -maxdepth 1 -type d ! -name '*.part' | wc -l)
+  [ "$exact" = yes ] || say "AUTO: $runs runs, $(($(wc -l < "$folder/cycles.csv") - 1)) branches, $(($(wc -l < "$folder/failures.csv") - 1)) runs failed"
 }
 
 gather() { # TABLE HEAD

@@ -40,12 +40,12 @@ read_gear() {
       *) values+="${values:+, }'$name': $value" ;;
     esac
   done < "$folder/gear.csv"
-  case $own_k_s in 1e+30 | inf) own_k_s=inf ;; esac
+  [ -z "$own_k_s" ] || own_k_s=$(rigid "$own_k_s")
   if [ -n "$values" ]; then settle "$folder/gear" <<< "PAR = {$values}"; else settle "$folder/gear" < /dev/null; fi
   gear=()
   [ -z "$values" ] || gear=("gear=$folder/gear")
   binary=$(cksum < build/bin/mlg) gear_sum="$(cksum < "$folder/gear") $top"
-  [ -n "$b_most" ] || b_most=$(awk -F, '$1 == "J_zeta" { printf "%.6g", 3 * $2 }' "$folder/gear.csv")
+  [ -n "$b_most" ] || b_most=$(of_gear J_zeta 3)
   made facts.csv gearinfo facts "${gear[@]}" V_top="$top"
 }
 
@@ -65,10 +65,20 @@ design() { # LAYOUT DESIGN K_S B LIMIT [C_D]
   local words best intervals
   mapfile -t words < <(device "$1" "$3" "$4")
   intervals=$(mlg intervals "$1" "${gear[@]}" V_top="$top" "${words[@]}") || return
-  best=$(mlg best "$1" "${gear[@]}" V_top="$top" "${words[@]}" ${6:+c_d="$6"} 2> /dev/null | sed 1,2d) || true
-  grep -v -e '^#' -e '^c_lo' <<< "$intervals" | awk -F, -v OFS=, -v row="$1,$2,$3,$4" -v limit="$5" -v best="${best:-,,,,,,,}" '
+  best=$(least_ratio "$1" "${6:-best}" "${words[@]}")
+  grep -v -e '^#' -e '^c_lo' <<< "$intervals" | awk -F, -v OFS=, -v row="$1,$2,$3,$4" -v limit="$5" -v best="$best" '
     { n++; print row, $1, $2, $5, $3, $4, $6, $7, limit, best }
     END { if (!n) print row, "", "", 0, "", "", "", "", limit, best }'
+}
+
+# c_d,zeta,V,frequency_hz,shimmy,t_5 of the least damping ratio over all speeds at that c_d, or at
+# the best; empty for a gear that diverges.
+least_ratio() { # LAYOUT best|C_D WORD...
+  local how=best row
+  [ "$2" = best ] || how=c_d=$2
+  row=$(mlg damping "$1" "$how" "${gear[@]}" V_top="$top" V_least=0 "${@:3}" 2> /dev/null | sed 1d) || row=''
+  [ "$2" = best ] || row=$2,$row
+  case $row in '' | *,-1,* | "$2,") echo ,,,,, ;; *) echo "$row" ;; esac
 }
 
 # A number of the rows for a design of a layout, the widest of its intervals.
@@ -111,12 +121,15 @@ designs() { # LAYOUT
 
 # The best damped device of a layout: a row of its own, for it takes longer than all the rest.
 best_damped() { # LAYOUT
-  local layout=$1 k_s b zeta
+  local layout=$1 over_b=() k_s b=0 zeta
   has "$layout" k_s || return 0
-  made "best.$layout.csv" best "$layout" "${gear[@]}" V_top="$top" b_most="$(has "$layout" b && echo "$b_most" || echo 0)" 2> /dev/null || return 0
-  IFS=, read -r k_s b _ zeta _ < <(sed 1,2d "$folder/best.$layout.csv") || k_s=
-  [ -z "$k_s" ] || awk -v zeta="$zeta" 'BEGIN { exit zeta > 0 }' || design "$layout" 'best damped' "$k_s" "$b" '' > "$folder/parts/$layout.best"
+  ! has "$layout" b || over_b=(b_most="$b_most")
+  made "best.$layout.csv" damping "$layout" best "${gear[@]}" V_top="$top" V_least=0 "${over_b[@]}" 2> /dev/null || return 0
+  IFS=, read -r b k_s _ zeta _ < <(sed "1d; $([ -n "${over_b[*]}" ] || echo 's/^/0,/')" "$folder/best.$layout.csv")
+  ! awk -v zeta="$zeta" 'BEGIN { exit !(zeta > 0) }' || design "$layout" 'best damped' "$(rigid "$k_s")" "$b" '' > "$folder/parts/$layout.best"
 }
+
+rigid() { awk -v k_s="$1" 'BEGIN { print (k_s >= 1e30 ? "inf" : k_s) }'; } # K_S, as a table has it
 
 # The design whose plane and diagrams are shown: the user's own device, or 2 % of k_s beside the
 # widest, on the side where more of it is left, for at the widest itself a region is born or two
@@ -133,12 +146,31 @@ base_of() { # LAYOUT
       k_s=${own_k_s:-inf} b=0
       [ -z "$own_b" ] || ! has "$layout" b || b=$own_b
       name=$([ -n "$own_k_s$own_b$own_c_d" ] && echo "your own device" || echo "rigid, for no k_s has an interval")
-    elif [ "$k_s" != inf ]; then
+    elif [ "$k_s" = inf ]; then
+      name="the widest"
+    else
       k_s=$(widest_of "$layout" "$k_s" "$b" 0.98 1.02)
     fi
   fi
   printf '%s\n' "$k_s" "$b" "$name" > "$folder/base.$layout"
 }
+
+# The layout before it whose base design is the same device, as all are at b = 0 and a rigid k_s.
+twin_of() { # LAYOUT
+  local other
+  for other in $layouts; do
+    [ "$other" != "$1" ] || return 0
+    if [ "$(sed -n 2p "$folder/base.$1")" = 0 ] && cmp -s <(head -n 2 "$folder/base.$other") <(head -n 2 "$folder/base.$1") &&
+      cmp -s "$folder/telling.$other.csv" "$folder/telling.$1.csv"; then
+      echo "$other"
+      return
+    fi
+  done
+}
+
+range_of_c_d() { sed -n '1s/.*plane [^,]*,[^,]*,\([^,]*\),\(.*\)/\1 \2/p' "$folder/plane.$layout.csv"; } # of the plane
+
+of_gear() { awk -F, -v name="$1" -v factor="$2" '$1 == name { printf "%.6g", factor * $2 }' "$folder/gear.csv"; } # NAME FACTOR
 
 times() { awk "BEGIN { printf \"%.10g\", $1 * $2 }"; }
 
@@ -168,7 +200,7 @@ exact_of() { # LAYOUT
   made "plane.$layout.csv" plane "$layout" "${gear[@]}" V_top="$top" "${base[@]}" || return
   made "strips.$layout.csv" plane "$layout" regions "${gear[@]}" V_top="$top" "${base[@]}" || return
   if has "$layout" k_s; then
-    made "regions.$layout.csv" regions "$layout" "${gear[@]}" V_top="$top" b="$base_b" || return
+    made "regions.$layout.csv" regions "$layout" "${gear[@]}" V_top="$top" b="$base_b" k_s_least="$(of_gear k_psi 0.02)" k_s_most="$(of_gear k_psi 2000)" || return
   fi
   if [ -n "$at" ]; then
     {
@@ -199,7 +231,7 @@ exact_parts() {
   local layout left=''
   rm -rf "$folder/parts"
   mkdir -p "$folder/parts"
-  echo layout,design,k_s,b,c_lo,c_hi,width,V_lo,V_hi,lower,upper,limit,best_k_s,best_b,c_d,zeta,V,frequency_hz,shimmy,decay > "$folder/designs.csv"
+  echo layout,design,k_s,b,c_lo,c_hi,width,V_lo,V_hi,lower,upper,limit,c_d,zeta,V,frequency_hz,shimmy,t_5 > "$folder/designs.csv"
   : > "$folder/unsure"
   for layout in $layouts; do
     job exact_layout "$layout"

@@ -27,7 +27,7 @@ without != "" && index("|" without "|", "|" $place["design"] "|") { next }
   for (i = 1; i <= NF; i++) cell[i] = $i
   if (match($0, /"[^"]*"$/)) cell[split(substr($0, 1, RSTART), junk, ",")] = substr($0, RSTART + 1, RLENGTH - 2)
   if (!rows++) print "\n" heading "|\n" line "|"
-  for (i = 1; i <= n; i++) printf "| %s ", shown(cell[place[column[i]]], format[i])
+  for (i = 1; i <= n; i++) printf "| %s ", column[i] == "layout" ? toupper(cell[place["layout"]]) : shown(cell[place[column[i]]], format[i])
   print "|"
 }
 END { print "" }

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# words.sh - a study as a page: what its tables say, in words; sourced by study.sh
+# words.sh - what the tables of a study say, in sentences; sourced by study.sh
 # shellcheck disable=SC2154 # variables of study.sh
 
 # table FILE COLUMNS [NAME=VALUE ...]: rows as a Markdown table (markdown.awk)
@@ -9,11 +9,25 @@ table() {
   LC_ALL=C.UTF-8 awk -v columns="$2" "${words[@]}" -f scripts/study/markdown.awk "$folder/$1"
 }
 
-stiffness() { case $1 in inf) echo "rigid" ;; *) echo "$(number "$1" "${2:-%.4g}") N m/rad" ;; esac; }
-
 number() { awk -v x="$1" -v f="${2:-%.4g}" 'BEGIN { if (x == "inf") printf "infinity"; else printf f, x }'; }
 
 name_of() { tr '[:lower:]' '[:upper:]' <<< "$1"; } # l1: L1
+
+list_of() { tr ' ' '\n' | sed '/^$/d' | paste -sd , | sed 's/,/, /g'; } # words on standard input
+
+# "k_s = 7.87e+05 N m/rad, b = 0", of what the layout has
+device_words() { # LAYOUT K_S B [FORMAT]
+  local words=''
+  ! has "$1" k_s || case $2 in inf) words="k_s rigid (no spring)" ;; *) words="k_s = $(number "$2" "${4:-%.4g}") N m/rad" ;; esac
+  ! has "$1" b || words+="${words:+, }b = $(number "$3" "${4:-%.4g}") N m s²/rad"
+  echo "$words"
+}
+
+with_words() { # LAYOUT K_S B: "L2 with k_s = ...", "L1"
+  local words
+  words=$(device_words "$@")
+  echo "$(name_of "$1")${words:+ with $words}"
+}
 
 interval_words() { # LO HI
   case $1,$2 in
@@ -24,7 +38,7 @@ interval_words() { # LO HI
   esac
 }
 
-# The intervals of a layout at k_s and b, in words.
+# The intervals of a layout at k_s and b.
 intervals_words() { # LAYOUT WORD...
   local rows lo hi n
   rows=$(mlg intervals "$1" "${gear[@]}" V_top="$top" "${@:2}")
@@ -42,108 +56,80 @@ intervals_words() { # LAYOUT WORD...
   esac
 }
 
-# --- sections -----------------------------------------------------------------
-
-head_section() {
-  local layout
-  echo "# $study: where this gear shimmies, and with which device it does not"
-  echo
-  echo "Layouts $(for layout in $layouts; do name_of "$layout"; done | paste -sd , | sed 's/,/, /g'); speeds up to V_top = $top m/s; inertances up to b = $(number "$b_most") N m s^2/rad. Regions, intervals, widths and damping ratios are exact (eigenvalue problems, nothing sampled); branches of shimmy are by AUTO-07p."
-  echo
-  if [ -s "$folder/unsure" ]; then
-    echo "**Left out**, for there is no sure answer:"
-    echo
-    sed 's/^/- /' "$folder/unsure"
-    echo
-  fi
+# What ends the growth of the widest interval over k_s (mlg widest).
+limit_words() { # LIMIT
+  case $1 in
+    onset) echo "beyond that k_s a region of shimmy is born inside it" ;;
+    equal) echo "beyond that k_s another region of shimmy bounds it from below" ;;
+    "equal above") echo "beyond that k_s another region of shimmy bounds it from above" ;;
+    stationary) echo "over k_s its width has a maximum there" ;;
+    rigid) echo "the stiffer k_s, the wider" ;;
+    soft) echo "the softer k_s, the wider, down to where it was looked for" ;;
+    unbounded) echo "it has no upper bound" ;;
+  esac
 }
 
-designs_columns="layout=layout|design=design|k_s (N m/rad)=k_s:%.4g|b (N m s²/rad)=b:%.4g|from c_d=c_lo:%.5g|to c_d=c_hi:%.5g|width=width:%.4g|best c_d=c_d:%.4g|least ζ=zeta:%.2e|at V=V:%.3g|mode=shimmy"
-
-best_row() { # COLUMN: the design with most of it
-  grep -v -e '^layout' -e ',yours,' "$folder/designs.csv" | awk -F, -v by="$1" '
-    { x = by == "width" ? $7 : $16; if (x == "inf") x = 1e300 }
-    x != "" && x > most + 0 { most = x; row = $0 }
-    END { print row }'
+# How far c_d may be off: "c_d may be 12 % less or 30 % more"
+margin_words() { # C_D LO HI
+  awk -v c="$1" -v lo="$2" -v hi="$3" 'BEGIN {
+    less = 100 * (1 - lo / c)
+    if (hi == "inf") printf "c_d may be %.2g %% less, and as much more as one likes", less
+    else printf "c_d may be %.2g %% less or %.2g %% more", less, 100 * (hi / c - 1)
+    if (less < 5 || (hi != "inf" && hi / c < 1.05)) printf ", which is **tight**: the middle of the interval, c_d = %.4g, shakes off less but forgives more", \
+      (hi == "inf" ? 2 * lo : lo > 0 ? sqrt(lo * hi) : hi / 2)
+  }'
 }
 
-build_section() {
-  local layout k_s b lo hi width c_d zeta V decay yours
-  echo "## What to build"
-  echo
-  IFS=, read -r layout _ k_s b lo hi width _ _ _ _ limit _ < <(best_row width) || true
-  if [ -n "$layout" ]; then
-    echo "**Widest interval of c_d:** $(name_of "$layout") with k_s = $(stiffness "$k_s") and b = $(number "$b") N m s^2/rad: $(interval_words "$lo" "$hi") (width $(number "$width"))$([ -z "$limit" ] || echo "; what ends its growth over k_s: $limit")$(awk -v b="$b" -v most="$b_most" 'BEGIN { if (b > 0.999 * most) print "; b is at its bound, and a larger one may do more" }')."
-  else
-    echo "**No device of these layouts keeps this gear free of shimmy** at all speeds up to $top m/s."
-  fi
-  echo
-  IFS=, read -r layout _ k_s b _ _ _ _ _ _ _ _ _ _ c_d zeta V _ mode decay < <(best_row zeta) || true
-  if [ -n "$layout" ]; then
-    echo "**Best damped:** $(name_of "$layout") with k_s = $(stiffness "$k_s"), b = $(number "$b"), c_d = $(number "$c_d"): the least damping ratio over all speeds is $(number "$zeta" %.3g), of the $mode mode at $(number "$V") m/s, which decays at $(number "$decay" %.3g) 1/s (to 5 % in $(awk "BEGIN { printf \"%.3g\", log(20) / $decay }") s)."
-    echo
-  fi
-  yours=$(grep ',yours,' "$folder/designs.csv" | sort -u -t , -k 1,1 || true)
-  if [ -n "$yours" ]; then
-    while IFS=, read -r layout _ k_s b _ _ _ _ _ _ _ _ _ _ c_d zeta V _ mode _; do
-      echo "**Your c_d = $(number "$c_d")**, $(name_of "$layout"): $(awk -v z="$zeta" 'BEGIN { print (z > 0 ? "no shimmy" : "shimmy") }'); the least damping ratio is $(number "${zeta:-nan}" %.3g), of the $mode mode at $(number "$V") m/s."
-      echo
-    done <<< "$yours"
-  fi
-  echo "By width; c_d in N m s/rad, V in m/s; least ζ is that of the best c_d at that k_s and b:"
-  awk -F, -f scripts/study/ranked.awk "$folder/designs.csv" > "$folder/ranked.csv"
-  table ranked.csv "$designs_columns"
-  echo "\"widest\" is over k_s and b; at it a region is born or two bounds meet, so keep k_s a few per cent off it. An interval says that nothing grows; how fast a disturbance dies is the ratio ζ."
-  echo
-  [ ! -s "$folder/widths.svg" ] || printf '![widest interval over b](widths.svg)\n\nThe largest width over k_s for each inertance up to the bound b = %s, three times J_zeta unless given.\n\n' "$(number "$b_most")"
-}
-
-gear_section() {
-  echo "## The gear"
-  awk -F, 'NR == 1 || ($1 != "V" && $1 != "c_d" && $1 != "k_s" && $1 != "b")' "$folder/gear.csv" > "$folder/parameters.csv"
-  table parameters.csv "parameter=name|unit=unit|value=value:%.6g|the paper's=paper:%.6g|meaning=meaning"
-  table facts.csv "fact=fact|value=value:%.6g|unit=unit|meaning=meaning"
-  checks
-}
-
-# What is outside the range of the model.
-checks() {
-  local layout diverges='' slips rolls
-  for layout in $layouts; do
-    ! intervals_words "$layout" | grep -q diverges || diverges+=" $(name_of "$layout")"
-  done
-  echo "Checks of what the model leaves out:"
-  echo
-  if [ -n "$diverges" ]; then
-    echo "- **Divergence** with$diverges at a rigid k_s: straight rolling falls over without oscillating, at any c_d. No device can help; F_z must fall or k_delta, k_psi, k_d rise."
-  else
-    echo "- No divergence: the gear bears its load with every layout at a rigid k_s."
-  fi
-  [ "$exact" = no ] || { echo "- Slip and lift-off of shimmy were not looked at: this is a study of the exact parts alone."; echo; return; }
-  slips=$(outside slip) rolls=$(outside roll)
-  echo "- Tyre slip: $([ -n "$slips" ] && echo "shimmy **passes the slip angle alpha_m** on branches $slips; there the law of the tyre has a jump and amplitudes are not to be trusted" || echo "no computed shimmy passes the slip angle alpha_m")."
-  echo "- Lift-off: $([ -n "$rolls" ] && echo "by the roll of the axle **a wheel would lift off** (a mu k_t/2 above F_z/2) on branches $rolls; the model lets the ground pull it back" || echo "no computed shimmy unloads a wheel by roll")."
-  echo
+# Of a damping ratio: when the slowest disturbance is down to 5 %.
+decay_words() { # ZETA V MODE T_5
+  echo "its least damping ratio over all speeds is $(number "$1" %.3g), of the $3 mode at $(number "$2" %.3g) m/s, which takes $(number "$4" %.3g) s to die to 5 %"
 }
 
 outside() { # COLUMN: branches on which it is above 1
   awk -F, -v column="$1" '
     NR == 1 { for (i = 1; i <= NF; i++) if ($i == column) at = i; next }
-    $at > 1 { sub(/\..*/, "", $2); printf "%s%s at c_d = %.4g (%.2g times)", n++ ? ", " : "", toupper($1), $3, $at }' "$folder/cycles.csv"
+    $at > 1 { sub(/\..*/, "", $2); printf "%s%s %s, c_d = %.4g (%.3g times)", n++ ? "; " : "", toupper($1), $2, $3, $at }' "$folder/cycles.csv"
 }
 
 plane_words() { # LAYOUT
   awk -F, '
     /^#/ || $1 == "curve" || NF < 6 { next }
-    $4 == "HH" { hh = hh (hh == "" ? "" : ", ") sprintf("(%.4g m/s, %.4g)", $5, $6); next }
-    $4 == "LP" { lp = lp (lp == "" ? "" : ", ") sprintf("%.5g (%s, %.3g m/s, %.3g Hz)", $6, $3, $5, $7); next }
-    !($1 in seen) { seen[$1] = 1; if ($2 == "closed") closed++; n[$3]++ }
+    $4 == "HH" { hh = hh (n_hh++ ? "; " : "") sprintf("%.4g m/s, c_d = %.4g", $5, $6); next }
+    $4 == "LP" { lp = lp (n_lp++ ? "; " : "") sprintf("c_d = %.5g at %.3g m/s (%s, %.3g Hz)", $6, $5, $3, $7); next }
+    !($1 in seen) { seen[$1] = 1; curves++; if ($2 == "closed") closed++ }
     END {
-      if (n["psi"] + n["delta"] == 0) { print "No Hopf curve in this plane."; exit }
-      printf "%d Hopf curves of psi and %d of delta%s. ", n["psi"], n["delta"], closed ? ", " closed " of them closed" : ""
-      if (lp != "") printf "Boundary points, c_d in N m s/rad: %s. ", lp
-      printf "%s\n", hh == "" ? "No double Hopf points." : "Double Hopf points, where two oscillations set in together and torus curves begin: " hh "."
+      if (!curves) { print "There is no Hopf curve in this plane: nothing changes with V or c_d."; exit }
+      printf "%d Hopf curve%s%s. ", curves, (curves > 1 ? "s" : ""), (closed ? ", " closed " of them closed" : "")
+      if (n_lp) printf "%s, where c_d along a curve is least or largest: %s. ", (n_lp > 1 ? n_lp " boundary points" : "A boundary point"), lp
+      if (n_hh) printf "%s, where two oscillations set in together: %s.\n", (n_hh > 1 ? "Double Hopf points" : "A double Hopf point"), hh
+      else print "No double Hopf points."
     }' "$folder/plane.$1.csv"
+}
+
+torus_words() { # LAYOUT
+  [ -s "$folder/torus.$1.csv" ] || return 0
+  awk -F, 'NR > 1 && NF == 3 { if (!($1 in n)) { curves++; from[$1] = sprintf("(%.4g m/s, %.4g)", $2, $3) } n[$1]++; to[$1] = sprintf("(%.4g m/s, %.4g)", $2, $3) }
+    END {
+      if (!curves) exit
+      printf "Torus curves (dashed), across which a computed shimmy loses its stability to the other one: "
+      for (k in n) printf "%sfrom %s to %s", m++ ? "; " : "", from[k], to[k]
+      print "."
+    }' "$folder/torus.$1.csv"
+}
+
+# Do the computed branches bear out the names by which the plane is shaded?
+names_words() { # LAYOUT
+  awk -F, -v layout="$1" '
+    NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+    $1 == layout {
+      n++
+      if ($at["born"] != $5) other = other sprintf("%s%s-shimmy at c_d = %.4g goes over into %s-shimmy as it grows", other == "" ? "" : "; ", $at["born"], $3, $5)
+    }
+    END {
+      if (!n) exit
+      if (other == "") printf "Regions are named by the mode that grows; the %s computed below show%s the same.\n", (n > 1 ? n " branches" : "branch"), (n > 1 ? "" : "s")
+      else printf "Regions are named by the mode that grows; of the %d branches computed below, %s.\n", n, other
+    }' "$folder/cycles.csv"
 }
 
 # The telling c_d without a Hopf point at which straight rolling is unstable at all speeds.
@@ -156,85 +142,31 @@ unstable_throughout() { # LAYOUT
 }
 
 branches_words() { # LAYOUT
-  awk -F, -v layout="$1" -v unstable=" $(unstable_throughout "$1")" '
+  awk -F, -v layout="$1" -v top="$top" -v unstable=" $(unstable_throughout "$1")" '
     function list(text) { gsub(" ", ", ", text); return text }
+    function points(text) { n_points = split(text, junk, " "); return n_points > 1 ? "points" : "point" }
     FNR == 1 { next }
     FILENAME ~ /telling/ { name = $1 "." (FNR - 1); order[++n] = name; c[name] = $2; hopf[name] = $3; next }
     $1 == layout {
       count[$2]++
       shape = $13 && $14 ? "stable in part" : $14 ? "unstable" : "stable"
-      text[$2] = text[$2] sprintf("; %s-shimmy from %.4g to %.4g m/s, at most %.3g deg and %.3g mm, %s%s%s%s", $5, $7, $8, $9, 1e3 * $10, shape,
-        $11 == "" ? "" : ", torus point at " list($11) " m/s", $12 == "" ? "" : ", fold at " list($12) " m/s", $6 ? "" : ", not followed to its end")
+      end = $6 ? "" : $8 > 0.999 * top ? " and on" : $7 < 0.006 * top ? " and on to lower V" : ", followed to 60 degrees or 0.3 m"
+      text[$2] = text[$2] sprintf("; %s-shimmy from %.4g to %.4g m/s%s, at most %.3g deg and %.3g mm, %s%s%s", $5, $7, $8, end, $9, 1e3 * $10, shape,
+        $11 == "" ? "" : ", torus " points($11) " at " list($11) " m/s", $12 == "" ? "" : ", fold" (points($12) == "points" ? "s" : "") " at " list($12) " m/s")
     }
     END {
       for (i = 1; i <= n; i++) {
         name = order[i]
         what = name; sub(/\..*/, "", what)
         if (count[name]) printf "- %s, c_d = %.5g: %d branch%s%s.\n", what, c[name], count[name], (count[name] > 1 ? "es" : ""), text[name]
-        else if (hopf[name] == 0 && index(unstable, " " c[name] " ")) printf "- %s, c_d = %.5g: no Hopf point, for straight rolling is **unstable at every speed** up to the top.\n", what, c[name]
-        else if (hopf[name] == 0) printf "- %s, c_d = %.5g: no Hopf point, straight rolling keeps its stability from 0 to the top.\n", what, c[name]
+        else if (hopf[name] == 0 && index(unstable, " " c[name] " ")) printf "- %s, c_d = %.5g: no Hopf point, for straight rolling is **unstable at every speed** up to V_top.\n", what, c[name]
+        else if (hopf[name] == 0) printf "- %s, c_d = %.5g: no Hopf point, straight rolling is stable at every speed up to V_top.\n", what, c[name]
         else printf "- %s, c_d = %.5g: %d Hopf points, no branch computed.\n", what, c[name], hopf[name]
       }
     }' "$folder/telling.$1.csv" "$folder/cycles.csv"
 }
 
 critical_words() { # LAYOUT
-  awk -F, 'NR > 1 { printf "%s at %.4g m/s, c_d = %.5g (a = %.3g 1/(s rad^2))", (n++ ? "; " : "") ($5 < 0 ? "supercritical" : "**subcritical**"), $1, $2, $5 }
-    END { if (n) print "." ; else print "" }' "$folder/critical.$1.csv"
-}
-
-layout_section() { # LAYOUT
-  local layout=$1 words
-  get_base "$layout"
-  echo "## $(name_of "$layout")"
-  echo
-  echo "Rigid k_s, no inerter: $(intervals_words "$layout")."
-  echo
-  if has "$layout" k_s; then
-    echo "Shown from here on, $base_name: k_s = $(stiffness "$base_k_s" %.6g)$(! has "$layout" b || echo ", b = $(number "$base_b" %.6g) N m s^2/rad"): $(intervals_words "$layout" "${base[@]}")."
-    echo
-  fi
-  table designs.csv "${designs_columns#*|}" layout="$layout"
-  [ ! -s "$folder/plane.$layout.svg" ] || printf '![the V, c_d plane](plane.%s.svg)\n\n%s\n\n' "$layout" "$(plane_words "$layout")"
-  if [ -s "$folder/regions.$layout.svg" ]; then
-    printf '![intervals over k_s](regions.%s.svg)\n\nGreen: c_d free of shimmy over k_s, at b = %s; the line: the design shown.\n\n' "$layout" "$(number "$base_b")"
-  elif has "$layout" k_s && [ -n "$layouts" ]; then
-    printf 'No k_s looked at has a zero-shimmy interval at b = %s.\n\n' "$(number "$base_b")"
-  fi
-  words=$(critical_words "$layout")
-  [ -z "$words" ] || printf 'The Hopf points that bound the interval: %s %s\n\n' "$words" \
-    "$(grep -q subcritical <<< "$words" && echo 'Subcritical: beside the bound a large disturbance may go on as shimmy although straight rolling is stable; keep away from it.' || echo 'Shimmy begins small there, on the side of shimmy.')"
-  [ "$exact" = no ] || return 0
-  [ ! -s "$folder/branches.$layout.svg" ] || printf '![shimmy along V](branches.%s.svg)\n\n' "$layout"
-  branches_words "$layout"
-  echo
-  if grep -q "^$layout," "$folder/transients.csv"; then
-    echo "After a disturbance (psi' = 1 or delta' = 0.45 rad/s) at the design shown and its $([ -n "$own_c_d" ] && echo "c_d, yours" || echo "best damped c_d"), integrated for 20 s; psi_5 and dstar_5 are the times to 5 %:"
-    table transients.csv "V (m/s)=V:%.4g|disturbance=disturbance|c_d=c_d:%.4g|max ψ (deg)=psi_max:%.3g|max δ* (m)=dstar_max:%.3g|psi_5 (s)=psi_5|dstar_5 (s)=dstar_5|linear decay (1/s)=rate:%.3g" layout="$layout"
-    [ ! -s "$folder/history.$layout.svg" ] || printf '![decay](history.%s.svg)\n\nThe first two seconds after psi'"'"' = 1 rad/s.\n\n' "$layout"
-  fi
-}
-
-last_section() {
-  echo "## What failed, and what this is made of"
-  echo
-  if [ "$exact" = no ]; then
-    if [ "$(wc -l < "$folder/failures.csv")" -gt 1 ]; then
-      echo "Runs of AUTO that failed; what they would show is missing above:"
-      table failures.csv "run=run|reason=reason"
-    else
-      echo "No run failed."
-      echo
-    fi
-  fi
-  echo "Tables beside this page: designs.csv, gear.csv, facts.csv, cycles.csv, branches.csv, transients.csv, plane.\*.csv, strips.\*.csv, regions.\*.csv, limits.\*.csv. What each part says and by which rules: docs/study.md. The limits of the model: docs/model.md; zero shimmy means that straight rolling is linearly stable."
-}
-
-report() {
-  local layout
-  head_section
-  build_section
-  gear_section
-  for layout in $layouts; do layout_section "$layout"; done
-  last_section
+  awk -F, 'NR > 1 { printf "%s%s at %.4g m/s, c_d = %.5g (a = %.3g 1/(s rad²))", n++ ? "; " : "", $5 < 0 ? "supercritical" : "**subcritical**", $1, $2, $5 }
+    END { if (n) print "."; else print "" }' "$folder/critical.$1.csv"
 }

@@ -74,15 +74,16 @@ static int falling(const void *a, const void *b)
   return (x < y) - (x > y);
 }
 
-/* From soft to rigid in steps of 1 %, and on both sides of each place where a region is
- * born or two meet. */
-static int nodes_of(struct job *j, double softest, double node[MOST])
+/* From soft to stiff in equal ratios, then rigid, and on both sides of each place where a
+ * region is born or two meet. */
+static int nodes_of(struct job *j, double softest, double stiffest, double node[MOST])
 {
+  const double ratio = pow(stiffest / softest, 1. / (GRID - 2));
   struct region last, next;
   int n = 0, grid;
 
   for (int i = 0; i < GRID; i++)
-    node[n++] = i + 1 < GRID ? softest * pow(1.01, -i) : 0.;
+    node[n++] = i + 1 < GRID ? softest * pow(ratio, i) : 0.;
   grid = n;
   region_at(j, node[0], &last);
   for (int i = 1; i < grid && n + 2 <= MOST; i++) {
@@ -100,11 +101,12 @@ static int nodes_of(struct job *j, double softest, double node[MOST])
   return n;
 }
 
-static void print_regions(struct job *j, double softest)
+/* Between these compliances, and at 0. */
+static void print_regions(struct job *j, double softest, double stiffest)
 {
   static struct region last, next, beside;
   double node[MOST];
-  const int n = nodes_of(j, softest, node);
+  const int n = nodes_of(j, softest, stiffest, node);
 
   region_at(j, node[0], &last);
   print_region(j, &last);
@@ -133,7 +135,12 @@ static void print_regions(struct job *j, double softest)
 
 static int run_regions(int argc, char *argv[])
 {
-  struct option option[] = { { "k_s_least", "N m/rad", 1e-6, 1e30, NAN, NULL }, { .name = NULL } };
+  enum { K_S_LEAST, K_S_MOST };
+  struct option option[] = {
+    [K_S_LEAST] = { "k_s_least", "N m/rad", 1e-6, 1e30, NAN, NULL },
+    [K_S_MOST] = { "k_s_most", "N m/rad", 1e-6, 1e30, NAN, NULL },
+    { .name = NULL },
+  };
   struct job j = { .command = argv[0] };
 
   read_arguments(&j.a, argc, argv, option);
@@ -142,10 +149,15 @@ static int run_regions(int argc, char *argv[])
   refuse_given(&j.a, NUMBER_K_S, "k_s is the axis; k_s_least says from where");
   if (libmlg_uses(j.a.layout, NUMBER_K_S) != 1)
     fail(argv[0], MLG_BAD_INPUT, "layout %s has no k_s", libmlg_layout_name(j.a.layout));
+  /* for the paper's gear from a compliance of 0.35, in steps of 1 % */
+  const double least = option[K_S_LEAST].word ? option[K_S_LEAST].value : j.a.par[NUMBER_K_PSI] / 1.33;
+  const double most = option[K_S_MOST].word ? option[K_S_MOST].value : least * pow(1.01, GRID - 2);
+
+  if (!(least < most))
+    fail(argv[0], MLG_BAD_INPUT, "k_s_most = %g is not above k_s_least = %g N m/rad", most, least);
   printf("# Zero-shimmy intervals of c_d. b N m s^2/rad; k_s N m/rad (inf: rigid); c_lo, c_hi, width N m s/rad; V_lo,\n"
          "# V_hi m/s, where the bounds are.\nlayout,b,k_s,c_lo,c_hi,V_lo,V_hi,width\n");
-  /* 0.35 for the paper's gear */
-  print_regions(&j, 1e5 / (option[0].word ? option[0].value : j.a.par[NUMBER_K_PSI] / 1.33));
+  print_regions(&j, 1e5 / least, 1e5 / most);
   return output_status(argv[0]);
 }
 
@@ -180,11 +192,12 @@ static int run_widest(int argc, char *argv[])
 
 const struct command command_regions = {
   .name = "regions",
-  .usage = "LAYOUT [NAME=VALUE ...] [k_s_least=k_psi/1.33]",
+  .usage = "LAYOUT [NAME=VALUE ...] [k_s_least=k_psi/1.33] [k_s_most=VALUE]",
   .summary = "zero-shimmy intervals over k_s",
   .details =
-    "From k_s_least to the rigid spring in steps of 1 %, and on both sides of every place\n"
-    "where a region is born or two meet and where an interval appears or ends.  CSV:\n"
+    "At 399 k_s of equal ratio from k_s_least to k_s_most, in steps of 1 % unless that is given,\n"
+    "at the rigid spring, and on both sides of every place where a region is born or two meet\n"
+    "and where an interval appears or ends.  CSV:\n"
     "  layout; b N m s^2/rad; k_s N m/rad, inf: rigid\n"
     "  c_lo, c_hi, width  N m s/rad\n"
     "  V_lo, V_hi         m/s, where the bounds are\n",

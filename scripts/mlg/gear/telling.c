@@ -83,25 +83,36 @@ static void choose_without(const struct band band[], int bands, double scale)
   choose(band, bands - 1, "high");
 }
 
+/* The next band that way which is not a sliver, of less than 5 % of c_d; else that beside it. */
+static int beside(const struct band band[], int bands, int i, int way)
+{
+  for (int k = i + way; k >= 0 && k < bands; k += way)
+    if (!(band[k].lo > 0.) || band[k].hi > 1.05 * band[k].lo)
+      return k;
+  return i + way;
+}
+
 static void choose_about(struct arguments *a, struct band band[], int bands, const struct libmlg_interval *z)
 {
-  int first = 0, last, busy = busiest(band, bands, scale_of_c_d(a));
+  int first = 0, last, below, above, busy = busiest(band, bands, scale_of_c_d(a));
 
   while (first + 1 < bands && band[first].hi <= z->lo.c_d * (1. + 1e-9))
     first++;
   last = first;
   while (last + 1 < bands && band[last].hi < z->hi.c_d * (1. - 1e-9))
     last++;
-  if (first > 0) {
-    if (busy != first - 1 || band[busy].hopf < 4)
-      move_to(a, &band[first - 1], fmax(band[first - 1].c_d, z->lo.c_d / 2.));
-    choose(band, first - 1, "below");
+  below = beside(band, bands, first, -1);
+  above = beside(band, bands, last, 1);
+  if (below >= 0) {
+    if (busy != below || band[busy].hopf < 4)
+      move_to(a, &band[below], fmax(band[below].c_d, z->lo.c_d / 2.));
+    choose(band, below, "below");
   }
   choose(band, first, "inside");
-  if (last + 1 < bands) {
-    if (busy != last + 1 || band[busy].hopf < 4)
-      move_to(a, &band[last + 1], fmin(band[last + 1].c_d, z->hi.c_d * 2.));
-    choose(band, last + 1, "above");
+  if (above < bands) {
+    if (busy != above || band[busy].hopf < 4)
+      move_to(a, &band[above], fmin(band[above].c_d, z->hi.c_d * 2.));
+    choose(band, above, "above");
   }
   if (band[busy].hopf >= 4 && band[busy].c_d > scale_of_c_d(a) / 100.)
     choose(band, busy, "overlap");
@@ -140,7 +151,8 @@ const struct command command_telling = {
     "The boundary points divide c_d into bands in which the Hopf points stay the same in number.\n"
     "Of a band the middle by ratio is taken; of an unbounded one 1.2 times off its bound.  About\n"
     "the widest zero-shimmy interval:\n"
-    "  below, inside, above   the bands beside it, at most twice off it, and the interval\n"
+    "  below, inside, above   the bands beside it that span 5 % or more, at most twice off it,\n"
+    "                         and the interval\n"
     "  overlap                the band with most Hopf points within two decades of\n"
     "                         k_d sqrt(J_zeta/k_psi), where that is another one and has four\n"
     "                         or more\n"

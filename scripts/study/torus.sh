@@ -1,0 +1,70 @@
+# shellcheck shell=bash
+# torus.sh - torus curves of a study in the plane of each base design; sourced by study.sh
+#
+# From every torus point of the diagrams that lies on none yet, both ways, to the double Hopf
+# points or the edges of the plane.  In build/studies/NAME: torus.LAYOUT.csv, a block for each.
+# shellcheck disable=SC2154 # variables of study.sh
+
+# The torus points of a layout, those in the middle of V first: c_d, V, the branch's run, how
+# many-th of it, psi there.
+torus_points() { # LAYOUT
+  awk -F, -v layout="$1" -v top="$top" '$1 == layout && $5 == "TR" {
+    run = $1 "." $2 "." $4
+    print ($6 - top / 2) ^ 2, $3, $6, run, ++n[run], $7
+  }' "$folder/branches.csv" | sort -g | cut -d " " -f 2-
+}
+
+# Does a curve pass that point, within 1 % of V_top?
+on_a_curve() { # C_D V
+  awk -F, -v c="$1" -v V="$2" -v near="$(times "$top" 0.01)" '
+    NF == 3 && n == $1 && ($3 - c) * (last_c - c) <= 0 {
+      x = $3 == last_c ? $2 : last_V + ($2 - last_V) * (c - last_c) / ($3 - last_c)
+      if ((x - V) ^ 2 < near ^ 2) found = 1
+    }
+    { n = $1; last_V = $2; last_c = $3 }
+    END { exit !found }' "$part.torus"
+}
+
+# One way along a curve: to where the orbit vanishes, to the edge of the plane, or to where the
+# torus angle has come to 0, and the curve ends on one of folds.  At pi it goes on: by the mirror
+# symmetry half a period has multipliers of its own, which pass i there.
+# Sharp orbits want a fine mesh; the smaller the orbit, the finer the steps to its end.
+along_torus() { # up|down
+  local way=$1 sign='' c_lo c_hi mesh step end noted words
+  [ "$way" = up ] || sign=-
+  noted=$(cat "$part.failures")
+  read -r c_lo c_hi < <(range_of_c_d)
+  while read -r mesh step end; do
+    settle_failures "$noted"
+    words=(NTST="$mesh" DSMAX="$(times "$top" "$step")" THL="{'c_d': $(awk "BEGIN { print 1e3 / $c_d ^ 2 }"), 'period': 0.0, 'torus_angle': 0.0}")
+    if run_or_note "$name.start.$mesh" "$layout.torus_start" from="$run" IRS="'TR$which'" DS="$(times "$top" 2e-4)" "${words[@]}" -- EP=1 &&
+      run_or_note "$name.$way" "$layout.torus" from="$name.start.$mesh" NMX=800 DS="$sign$(times "$top" 2e-4)" "${words[@]}" \
+        UZSTOP="{'psi_max': $(times "$psi" "$end"), 'torus_angle': [0.03, 6.25], 'V': [$(times "$top" 1e-3), $top], 'c_d': [$c_lo, $c_hi]}" --; then
+      torus_rows "$name.$way" "$(times "$psi" "$end")"
+      return
+    fi
+  done << 'END'
+15 5e-3 0.1
+15 1e-3 0.1
+40 2e-3 0.2
+END
+}
+
+# Rows of one way, and the double Hopf point that it ends just short of.
+torus_rows() { # RUN PSI_MAX_AT_ITS_END
+  mlg rows "$1" columns=V,c_d,psi_max | awk -F, -v OFS=, -v n="$n" -v end="$2" -v near="$(times "$top" 0.05)" '
+    FILENAME == "-" { print n, $1, $2; V = $1; c = $2; vanishes = $3 < 1.01 * end; next }
+    vanishes && $4 == "HH" && ($5 - V) ^ 2 < near ^ 2 && $6 < 1.5 * c && $6 > c / 1.5 { print n, $5, $6; exit }' - "$folder/plane.$layout.csv"
+}
+
+torus_curves() { # LAYOUT
+  local layout=$1 part=$folder/parts/$1.curves c_d V run which psi n=0 name
+  : > "$part.failures"
+  : > "$part.torus"
+  while read -r c_d V run which psi; do
+    ! on_a_curve "$c_d" "$V" || continue
+    n=$((n + 1)) name=$layout.torus.$n
+    { along_torus up | tac; along_torus down; echo; } >> "$part.torus"
+  done < <(torus_points "$layout")
+  [ ! -s "$part.torus" ] || { echo curve,V,c_d; cat "$part.torus"; } > "$folder/torus.$layout.csv"
+}
