@@ -80,10 +80,12 @@ study() { # NAME WORD...
   check_words
   alone "study.$study"
   read_gear
-  mkdir -p "$folder/runs"
+  mkdir -p "$folder"/{runs,keys}
   export MLG_RUNS=$folder/runs MLG_USES=$folder/uses
   printf '%s\n' scripts/study.sh scripts/study/* scripts/auto/*.sh scripts/pictures/{style,study-*}.gp scripts/report/head.html build/bin/mlg > "$MLG_USES"
-  settle "$folder/request" <<< "$layouts; at $at; $exact; V_top $top; b_most $b_most; own $own_k_s $own_b $own_c_d; $(cat "$folder/gear")"
+  trap 'end_jobs; trap - INT; kill -INT $$' INT
+  trap 'end_jobs; exit 143' TERM HUP
+  settle_request <<< "$layouts; at $at; $exact; V_top $top; b_most $b_most; own $own_k_s $own_b $own_c_d; $(cat "$folder/gear")"
   if mlg stamp fits "study.$study" > /dev/null && [ -s "$folder/report.html" ]; then
     echo "  $folder/report.html is up to date"
     return
@@ -109,6 +111,13 @@ study() { # NAME WORD...
 settle() { # FILE
   cat > "$1.new"
   replace "$1"
+}
+
+# What was asked for; of other questions the runs' settings that helped are forgotten.
+settle_request() {
+  cat > "$folder/request.new"
+  cmp -s "$folder/request.new" "$folder/request" || rm -f "$folder"/keys/run.*
+  replace "$folder/request"
 }
 
 # Markdown on standard input as a page with its pictures in it.

@@ -145,10 +145,44 @@ END
 @test "branches of shimmy in a study: stable and unstable points, folds, slip; designs by falling width" {
   # from 10 m/s unstable to a fold at 8, then stable to 20; an orbit with slip at a third of alpha_m
   printf '%s\n' HB,10,0,0, ,9,1,0.001,0 LP,8,2,0.002, ,12,3,0.003,1 ,16,4,0.004,1 HB,20,0,0, orbit,0,0,4,0.004,0.03,-0.06 > branch
-  awk -v row=x -v e='0.05 2 0.5 7e5 2e5 0.3 0.6' -f scripts/study/cycle.awk branch > row
-  [ "$(<row)" = x,8,20,4,0.004,,8,2,1,0.329,0.00959 ] # slip atan2(0.06, 0.3) of 0.6; roll mu = sin 0.05 sin 4 deg + cos 0.05 sin 0.002 cos 4 deg
+  awk -v row=x -v born=psi -v e='0.05 2 0.5 7e5 2e5 0.3 0.6' -f scripts/study/cycle.awk branch > row
+  [ "$(<row)" = x,8,20,4,0.004,,8,2,1,0.329,0.00959,psi ] # slip atan2(0.06, 0.3) of 0.6; roll mu = sin 0.05 sin 4 deg + cos 0.05 sin 0.002 cos 4 deg
   printf '%s\n' layout,design,k_s,b,c_lo,c_hi,width,zeta,V,f,shimmy,d l1,rigid,inf,0,1,2,5,1,1,1,psi,x l2,widest,1e6,0,1,2,50,1,1,1,psi,x li1,widest,1e6,0,1,2,50,1,1,1,psi,x l2,none,1e6,0,0,inf,inf,1,1,1,psi,x > designs
   [ "$(awk -F, -f scripts/study/ranked.awk designs | cut -d , -f 1 | tail -n +2 | tr '\n' /)" = 'l2/l2 li1/l1/' ]
+}
+
+@test "after Ctrl-C nothing goes on, and a repeated study makes again no run that was done" {
+  local pid n=0
+  timeout -s INT 300 scripts/study.sh stopped layouts=l1 > /dev/null 2>&1 &
+  pid=$!
+  while [ -z "$(find build/studies/stopped/runs -name 'b.*.[0-9]' ! -path '*.part/*' 2> /dev/null)" ]; do
+    sleep 0.05
+    n=$((n + 1))
+    [ "$n" -lt 4000 ]
+  done
+  kill -INT $pid
+  wait $pid || true
+  [ ! -e build/studies/stopped/report.html ]
+  sleep 0.3
+  [ -z "$(find build/studies/stopped/runs -name '*.part')" ]
+  find build/studies/stopped/runs -name 'b.*' -printf '%p %i %T@\n' | sort > done
+  study stopped layouts=l1
+  find build/studies/stopped/runs -name 'b.*' -printf '%p %i %T@\n' | sort > all
+  [ -z "$(comm -23 done all)" ]
+  [ "$(wc -l < done)" -lt "$(wc -l < all)" ]
+  says stopped "No run failed"
+}
+
+@test "a nose gear published elsewhere: shimmy at every c_d, which the eigenvalues bear out" {
+  study nose gear=constants/gear.nose layouts=l1,l2 exact
+  says nose "No device of these layouts keeps this gear free of shimmy"
+  says nose "No k_s makes it better than L1"
+  near "$(awk -F, '$1 == "F_z" { print $2 }' build/studies/nose/facts.csv)" 160e3 1e-6
+  near "$(awk -F, '$4 == "LP" { print $6 }' build/studies/nose/plane.l1.csv | sort -g | head -n 1)" 1562.132 1e-6
+  for c_d in 1e3 1562 1570 1e4 7e4 1e5; do
+    # shellcheck disable=SC2046 # words
+    shimmies l1 $(sed -n 's/PAR = {//; s/^ *//; s/}//; s/,/\n/g; /^#/!p' constants/gear.nose | awk -F "'|: " 'NF > 2 { split($4, value, " "); print $2 "=" value[1] }') c_d=$c_d
+  done
 }
 
 @test "a run that fails is listed with its reason, and the study goes on" {

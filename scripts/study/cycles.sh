@@ -29,23 +29,44 @@ run_or_note() {
   return 1
 }
 
+# try_each RUN COMMAND: the command with the words of each line of standard input, until its runs
+# pass the judge.  That which did is the first to be tried when the study is repeated.  Of the
+# rest only the last failure is kept.
+try_each() {
+  local memory=$folder/keys/run.$1 noted tries k first=''
+  noted=$(cat "$part.failures")
+  mapfile -t tries
+  [ ! -e "$memory" ] || first=$(cat "$memory")
+  for k in $first "${!tries[@]}"; do
+    settle_failures "$noted"
+    # shellcheck disable=SC2086 # words
+    if "$2" ${tries[k]} < /dev/null; then
+      echo "$k" > "$memory"
+      return
+    fi
+  done
+  return 1
+}
+
+settle_failures() { printf '%s' "$1${1:+$'\n'}" > "$part.failures"; }
+
 # One diagram: straight rolling, and every branch of shimmy that begins at one of its Hopf
 # points and has not ended another.
 diagram() { # LAYOUT WHICH C_D
-  local layout=$1 which=$2 c_d=$3 part name speeds settings i n=0 start
+  local layout=$1 which=$2 c_d=$3 part name speeds i n=0 start
   part=$folder/parts/$layout.$which name=$layout.$which
   : > "$part.failures"
   : > "$part.branches"
   : > "$part.cycles"
   mlg hopf "$layout" c_d="$c_d" "${gear[@]}" V_top="$top" "${base[@]}" | sed 1,2d > "$part.hopf"
   mapfile -t speeds < <(cut -d , -f 2 "$part.hopf")
-  straight || return 0
+  try_each "$name.straight" straight < <(printf '%s\n' 1 0.37 0.13) || return 0
   rows_of "$name.straight" straight every=50 >> "$part.branches"
   local ended=' '
   for ((i = 1; i <= ${#speeds[@]}; i++)); do
     [[ $ended != *" $i "* ]] || continue
     n=$((n + 1))
-    branch || continue
+    try_each "$name.$n" branch < <(printf '%s\n' '5e-4 2.5e-3 1500' '5e-5 2.5e-3 1500' '1e-4 8e-4 4000') || continue
     rows_of "$name.$n" "$n" ends > "$part.rows"
     without_false_folds "$part.rows" >> "$part.branches"
     ended+="$(ended_at "$i") "
@@ -55,43 +76,20 @@ diagram() { # LAYOUT WHICH C_D
 
 # Shimmy from Hopf point i.  A small branch wants a small first step, a sharp fold a fine one;
 # beside such a fold AUTO's search takes many iterations.
-branch() {
-  local first step points noted
-  noted=$(cat "$part.failures")
-  while read -r first step points; do
-    if run_or_note "$name.$n" "$layout.periodic" from="$name.straight" IRS="'HB$i'" ILP=1 NPR=10 NMX="$points" ITMX=200 \
-      DS="$(times "$top" "$first")" DSMAX="$(times "$top" "$step")" UZR="{'torus': [-1e-5, 2e-5]}" \
-      UZSTOP="{'V': [$(times "$start" 0.5), $top], 'psi_max': 60.0, 'dstar_max': 0.3}" --; then
-      settle_failures "$noted"
-      return
-    fi
-  done << 'END'
-5e-4 2.5e-3 1500
-5e-5 2.5e-3 1500
-1e-4 8e-4 4000
-END
-  settle_failures "$noted${noted:+$'\n'}$(tail -n 1 "$part.failures")"
-  return 1
+branch() { # FIRST_STEP LARGEST POINTS, of V_top
+  run_or_note "$name.$n" "$layout.periodic" from="$name.straight" IRS="'HB$i'" ILP=1 NPR=10 NMX="$3" ITMX=200 \
+    DS="$(times "$top" "$1")" DSMAX="$(times "$top" "$2")" UZR="{'torus': [-1e-5, 2e-5]}" \
+    UZSTOP="{'V': [$(times "$start" 0.5), $top], 'psi_max': 60.0, 'dstar_max': 0.3}" --
 }
 
 # Straight rolling.  AUTO may step over a Hopf point at one step and not at another.
-straight() {
-  local finer noted
-  noted=$(cat "$part.failures")
-  for finer in 1 0.37 0.13; do
-    read -ra settings < <(printf '%s\n' "${speeds[@]}" | sed '/^$/d' | run_settings $finer)
-    start=${settings[0]#V=}
-    if run_or_note "$name.straight" "$layout.straight" "${gear[@]}" "${base[@]}" c_d="$c_d" "${settings[@]}" \
-      UZSTOP="{'V': $top}" -- HB="${#speeds[@]}"; then
-      settle_failures "$noted"
-      return
-    fi
-  done
-  settle_failures "$noted${noted:+$'\n'}$(tail -n 1 "$part.failures")"
-  return 1
+straight() { # FINER
+  local settings
+  read -ra settings < <(printf '%s\n' "${speeds[@]}" | sed '/^$/d' | run_settings "$1")
+  start=${settings[0]#V=}
+  run_or_note "$name.straight" "$layout.straight" "${gear[@]}" "${base[@]}" c_d="$c_d" "${settings[@]}" \
+    UZSTOP="{'V': $top}" -- HB="${#speeds[@]}"
 }
-
-settle_failures() { printf '%s' "$1${1:+$'\n'}" > "$part.failures"; }
 
 rows_of() { # RUN BRANCH WORD
   mlg rows "$1" prefix="$layout,$which,$c_d,$2" columns=type,V,psi_max,dstar_max,stable:d bifurcations=stable "${@:3}"
@@ -171,7 +169,8 @@ cycles() {
   local layout which c_d jobs=() after=() n runs
   for layout in $layouts; do ! has "$layout" k_s || jobs+=("best_damped $layout"); done
   for layout in $layouts; do
-    [ "$exact" = no ] && [ -z "$(twin_of "$layout")" ] || continue
+    [ "$exact" = no ] || continue
+    [ -z "$(twin_of "$layout")" ] || continue
     n=0
     while IFS=, read -r which c_d _; do
       [ "$which" = which ] || jobs+=("diagram $layout $which.$n $c_d")

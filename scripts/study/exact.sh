@@ -248,8 +248,16 @@ exact_parts() {
   layouts=${left# }
 }
 
-# job COMMAND WORD...: in the background, one for each processor at a time.
+# job COMMAND WORD...: in the background, one for each processor at a time, and in a process
+# group of its own, by which end_jobs ends it with all that it started.
 job() {
   while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done
-  (trap - ERR EXIT; set +e; "$@") < /dev/null &
+  set -m
+  (trap - ERR EXIT INT TERM HUP; set +em; "$@") < /dev/null &
+  set +m
+}
+
+end_jobs() {
+  local group
+  for group in $(jobs -rp); do kill -TERM -- "-$group" 2> /dev/null || true; done
 }

@@ -29,25 +29,15 @@ on_a_curve() { # C_D V
 # torus angle has come to 0, and the curve ends on one of folds.  At pi it goes on: by the mirror
 # symmetry half a period has multipliers of its own, which pass i there.
 # Sharp orbits want a fine mesh; the smaller the orbit, the finer the steps to its end.
-along_torus() { # up|down
-  local way=$1 sign='' c_lo c_hi mesh step end noted words
+along_torus() { # MESH STEP END
+  local sign='' c_lo c_hi words
   [ "$way" = up ] || sign=-
-  noted=$(cat "$part.failures")
+  end=$(times "$psi" "$3")
   read -r c_lo c_hi < <(range_of_c_d)
-  while read -r mesh step end; do
-    settle_failures "$noted"
-    words=(NTST="$mesh" DSMAX="$(times "$top" "$step")" THL="{'c_d': $(awk "BEGIN { print 1e3 / $c_d ^ 2 }"), 'period': 0.0, 'torus_angle': 0.0}")
-    if run_or_note "$name.start.$mesh" "$layout.torus_start" from="$run" IRS="'TR$which'" DS="$(times "$top" 2e-4)" "${words[@]}" -- EP=1 &&
-      run_or_note "$name.$way" "$layout.torus" from="$name.start.$mesh" NMX=800 DS="$sign$(times "$top" 2e-4)" "${words[@]}" \
-        UZSTOP="{'psi_max': $(times "$psi" "$end"), 'torus_angle': [0.03, 6.25], 'V': [$(times "$top" 1e-3), $top], 'c_d': [$c_lo, $c_hi]}" --; then
-      torus_rows "$name.$way" "$(times "$psi" "$end")"
-      return
-    fi
-  done << 'END'
-15 5e-3 0.1
-15 1e-3 0.1
-40 2e-3 0.2
-END
+  words=(NTST="$1" DSMAX="$(times "$top" "$2")" THL="{'c_d': $(awk "BEGIN { print 1e3 / $c_d ^ 2 }"), 'period': 0.0, 'torus_angle': 0.0}")
+  run_or_note "$name.start.$1" "$layout.torus_start" from="$run" IRS="'TR$which'" DS="$(times "$top" 2e-4)" "${words[@]}" -- EP=1 &&
+    run_or_note "$name.$way" "$layout.torus" from="$name.start.$1" NMX=800 DS="$sign$(times "$top" 2e-4)" "${words[@]}" \
+      UZSTOP="{'psi_max': $end, 'torus_angle': [0.03, 6.25], 'V': [$(times "$top" 1e-3), $top], 'c_d': [$c_lo, $c_hi]}" --
 }
 
 # Rows of one way, and the double Hopf point that it ends just short of.
@@ -58,13 +48,17 @@ torus_rows() { # RUN PSI_MAX_AT_ITS_END
 }
 
 torus_curves() { # LAYOUT
-  local layout=$1 part=$folder/parts/$1.curves c_d V run which psi n=0 name
+  local layout=$1 part=$folder/parts/$1.curves c_d V run which psi n=0 name way end
   : > "$part.failures"
   : > "$part.torus"
   while read -r c_d V run which psi; do
     ! on_a_curve "$c_d" "$V" || continue
     n=$((n + 1)) name=$layout.torus.$n
-    { along_torus up | tac; along_torus down; echo; } >> "$part.torus"
+    for way in up down; do
+      : > "$part.$way"
+      ! try_each "$name.$way" along_torus < <(printf '%s\n' '15 5e-3 0.1' '15 1e-3 0.1' '40 2e-3 0.2') || torus_rows "$name.$way" "$end" > "$part.$way"
+    done
+    { tac "$part.up"; cat "$part.down"; echo; } >> "$part.torus"
   done < <(torus_points "$layout")
   [ ! -s "$part.torus" ] || { echo curve,V,c_d; cat "$part.torus"; } > "$folder/torus.$layout.csv"
 }

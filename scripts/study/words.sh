@@ -17,16 +17,16 @@ list_of() { tr ' ' '\n' | sed '/^$/d' | paste -sd , | sed 's/,/, /g'; } # words 
 
 # "k_s = 7.87e+05 N m/rad, b = 0", of what the layout has
 device_words() { # LAYOUT K_S B [FORMAT]
-  local words=''
-  ! has "$1" k_s || case $2 in inf) words="k_s rigid (no spring)" ;; *) words="k_s = $(number "$2" "${4:-%.4g}") N m/rad" ;; esac
-  ! has "$1" b || words+="${words:+, }b = $(number "$3" "${4:-%.4g}") N m s²/rad"
-  echo "$words"
+  local spring='' inerter=''
+  ! has "$1" k_s || case $2 in inf) spring="k_s rigid (no spring)" ;; *) spring="k_s = $(number "$2" "${4:-%.4g}") N m/rad" ;; esac
+  ! has "$1" b || inerter="b = $(number "$3" "${4:-%.4g}") N m s²/rad"
+  echo "$spring${inerter:+, $inerter}"
 }
 
 with_words() { # LAYOUT K_S B: "L2 with k_s = ...", "L1"
-  local words
-  words=$(device_words "$@")
-  echo "$(name_of "$1")${words:+ with $words}"
+  local device
+  device=$(device_words "$@")
+  echo "$(name_of "$1")${device:+ with $device}"
 }
 
 interval_words() { # LO HI
