@@ -10,7 +10,7 @@
 # from the algebra alone, without AUTO.
 # Writes: build/studies/NAME: report.html, its pictures, its tables as CSV, the runs; compare:
 #         build/studies/NAME.NAME.html
-# Expect: the planes and the best devices after a few seconds, the page within a minute.  A run
+# Expect: the planes and the widest intervals after a few seconds, the page within a minute.  A run
 #         that fails is listed in the page.  Repeated, only what changed is made anew.
 . "$(dirname "$(realpath "$0")")/auto/lib.sh"
 here=$OLDPWD

@@ -70,13 +70,13 @@ corner_words() {
         # shellcheck disable=SC2086
         {
           mlg intervals "$layout" $others "$name=$at" | sed -n 3p > "interval$sign"
-          mlg best "$layout" $others "$name=$at" c_d="$c_d" V_least=0.3 | sed -n 3p > "best$sign"
+          mlg damping "$layout" $others "$name=$at" c_d="$c_d" V_least=0.3 | sed -n 2p > "best$sign"
         }
       done
       paste -d , interval- interval+ best- best+ | awk -F, -v name="$layout $name" -v lo="$lo" -v hi="$hi" -v zeta="$zeta" '
         function log_slope(a, b) { return (b - a) / (a + b) / 1e-5 }
         function far(x, y, least) { return (x - y) ^ 2 > (2e-3 * (x < 0 ? -x : x) + least) ^ 2 }
-        { a = log_slope($1, $8); b = log_slope($2, $9); z = log_slope($18, $26) }
+        { a = log_slope($1, $8); b = log_slope($2, $9); z = log_slope($15, $20) }
         far(lo, a, 2e-4) || far(hi, b, 2e-4) || far(zeta, z, 2e-3 * (zeta > 1 || zeta < -1 ? 1 : 1)) {
           print name ": " lo " " hi " " zeta ", differences " a " " b " " z; bad = 1 }
         END { exit bad || NR != 1 }'

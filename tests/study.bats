@@ -136,7 +136,7 @@ bad layouts=l1 layouts=l2|study: 'layouts=l2': layouts is given already
 bad quick|study: 'quick': expected NAME=VALUE*
 a.b|the name 'a.b': a study's has no point
 ../bad|the name '../bad'*
-compare paper none|study: there is no study 'none'*
+compare none paper|study: there is no study 'none'*
 compare paper|usage: scripts/study.sh compare NAME NAME
 END
   [ ! -e build/studies/bad/report.html ]

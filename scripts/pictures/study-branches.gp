@@ -9,7 +9,7 @@ size = what eq "psi" ? 7 : 8
 s = what eq "psi" ? 1. : 1000.
 is(type, y) = strcol(5) eq type ? y : NaN
 stable(y) = column(9) == 1 ? y : NaN
-set terminal svg size 460,330 dynamic font "DejaVu Sans,13"
+set terminal svg size 460,330 fixed font "DejaVu Sans,13"
 set output output
 set xrange [0:V_top]; set xlabel "V (m/s)" offset 0,0.4
 set title diagram[1:strstrt(diagram, ".") - 1] . sprintf(", c_{d} = %s N m s/rad", cell(sprintf("%s c_d layout=%s which=%s", file, layout, diagram)))

@@ -2,7 +2,7 @@
 # Wants what ("psi" or "dstar").
 file = sprintf("%s/history.%s.csv", folder, layout)
 psi = what eq "psi"
-set terminal svg size 460,300 dynamic font "DejaVu Sans,13"
+set terminal svg size 460,300 fixed font "DejaVu Sans,13"
 set output output
 set xlabel "t (s)" offset 0,0.4
 set ylabel (psi ? "ψ (deg)" : "δ* (mm)")

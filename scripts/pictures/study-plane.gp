@@ -15,7 +15,7 @@ is(what, y) = strcol(5) eq what ? y : NaN
 of(shimmy, y) = strcol(3) eq shimmy && strcol(4) ne "HH" && strcol(4) ne "LP" ? y : NaN
 type(t, y) = strcol(4) eq t ? y : NaN
 title_if(there, text) = there ? text : ""
-set terminal svg size 640,560 dynamic font "DejaVu Sans,14"
+set terminal svg size 640,560 fixed font "DejaVu Sans,14"
 set output output
 set xrange [0:V_top]; set yrange [c_lo:c_hi]; set logscale y; set format y "10^{%T}"
 set xlabel "V (m/s)" offset 0,0.4; set ylabel "c_{d} (N m s/rad)"

@@ -2,7 +2,7 @@
 # areas: 1 k_s, 2 c_lo, 3 c_hi, 4 width
 # Wants k_lo, k_hi, c_least, c_most (the axes), base_k_s (0: rigid), z_lo, z_hi (its interval).
 areas = sprintf("< build/bin/mlg areas %s/regions.%s.csv", folder, layout)
-set terminal svg size 640,440 dynamic font "DejaVu Sans,14"
+set terminal svg size 640,440 fixed font "DejaVu Sans,14"
 set output output
 set logscale xy; set format x "10^{%T}"; set format y "10^{%T}"
 if (k_hi < 100*k_lo) { set xtics () ; do for [e=-3:20] { do for [m in "1 2 5"] { set xtics add (m . "·10^{" . e . "}" m*10.**e) } } }

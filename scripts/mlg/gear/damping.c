@@ -145,7 +145,7 @@ static void print_best(struct search *search)
     refuse(name, option[B_LEAST].word, "goes with b_most=VALUE");
   if (option[B_LEAST].value > option[B_MOST].value)
     refuse(name, option[B_MOST].word, "below b_least = %g", option[B_LEAST].value);
-  if (over_k_s)
+  if (over_k_s || over_b)
     status = libmlg_best_damped(a->layout, a->par, over_b ? option[B_LEAST].value : b, over_b ? option[B_MOST].value : b,
                                 V_least, a->V_top, &best);
   else
