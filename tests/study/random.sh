@@ -12,7 +12,7 @@
 # Writes  build/studies/random-SEED-*, and removes those that are right
 . "$(dirname "$(realpath "$0")")/../../scripts/auto/lib.sh"
 
-n=${1:-10} seed=${2:-1} wrong=0 asked=0
+n=${1:-10} seed=${2:-1} wrong=0 asked=0 made=0 failed=0
 
 gear() { # NUMBER
   awk -F, -v seed="$((1000 * seed + $1))" '
@@ -75,12 +75,15 @@ for ((i = 1; i <= n; i++)); do
   if scripts/study.sh "$name" gear="$file" layouts=l1,li2 V_top="$top" > "$folder/$i.log" 2>&1 && [ -s "build/studies/$name/report.html" ]; then
     before=$wrong
     check
-    printf '  %-14s %3d s  %s\n' "$name" "$SECONDS" "$(grep -o -e '^Rigid k_s, no inerter: .*' "build/studies/$name/report.md" | head -n 1 | cut -c 25-110); $(($(wc -l < "build/studies/$name/failures.csv") - 1)) runs failed"
+    runs=$(find "build/studies/$name/runs" -mindepth 1 -maxdepth 1 -type d | wc -l) bad=$(($(wc -l < "build/studies/$name/failures.csv") - 1))
+    made=$((made + runs)) failed=$((failed + bad))
+    printf '  %-14s %4d s  %d runs, %d failed; %s\n' "$name" "$SECONDS" "$runs" "$bad" "$(grep -m 1 -e '^\*\*' "build/studies/$name/report.md" | cut -c 1-90)"
+    sed '1d; s/^/    /' "build/studies/$name/failures.csv"
     [ "$before" != "$wrong" ] || rm -r "build/studies/$name"
   else
     echo "  $name failed: $(tail -n 1 "$folder/$i.log")"
     wrong=$((wrong + 1))
   fi
 done
-echo "  $n studies, $asked statements held against the eigenvalues, $wrong wrong"
+echo "  $n studies, $asked statements held against the eigenvalues, $wrong wrong; $made runs of AUTO, $failed failed"
 [ "$wrong" = 0 ]

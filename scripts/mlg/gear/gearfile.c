@@ -102,7 +102,8 @@ static struct gear_value read_value(struct reader *r)
   read_text(r, ":,}", name);
   v.parameter = libmlg_parameter(name);
   if (v.parameter == LIBMLG_NONE)
-    slip(r, "PAR: '%s' is not a parameter (see models/mlg.h)", name);
+    slip(r, "PAR: '%s' is not a parameter (see models/mlg.h)%s", name,
+         strcmp(name, "F_z") == 0 ? "; the load is M here, (M + m_D) g = F_z" : "");
   expect(r, ':');
   read_text(r, ",}", value);
   v.line = r->line;
