@@ -57,7 +57,7 @@ same_table() {
     n=$((n + 1))
     of='k_s=6.3e5 b=110'
     case $layout in l1) of='' ;; l2) of=k_s=6.3e5 ;; esac
-    for command in intervals boundary "best c_d=5e3" "hopf c_d=3.6e4" "eigenvalues V=33 c_d=4e3"; do
+    for command in intervals boundary "damping c_d=5e3" "hopf c_d=3.6e4" "eigenvalues V=33 c_d=4e3"; do
       # shellcheck disable=SC2086 # one word for each parameter
       mlg ${command%% *} "$layout" $of ${command#"${command%% *}"} > by-name
       # shellcheck disable=SC2086
@@ -168,7 +168,7 @@ EOF
   mlg explore 'k_s-(k_d|c_d)' starts=2 > found
   near "$(awk -F, '$1 == "width" { print $2 }' found)" 10226.87 1e-6 width
   near "$(awk -F, '$1 == "width" { print $3 }' found)" 786523.7 1e-6 k_s
-  near "$(awk -F, '$1 == "zeta" { print $2 }' found)" "$(cell zeta best l2 V_least=0.3)" 1e-6 zeta
+  near "$(awk -F, '$1 == "zeta" { print $2 }' found)" "$(cell zeta damping l2 best)" 1e-6 zeta
   # no design above its largest load, one just below it
   load=$(awk -F, '$1 == "load" { print $2 }' found)
   near "$load" 204504 2e-5 load
