@@ -167,11 +167,11 @@ END
   [ ! -e build/studies/stopped/report.html ]
   sleep 0.3
   [ -z "$(find build/studies/stopped/runs -name '*.part')" ]
-  find build/studies/stopped/runs -name 'b.*' -printf '%p %i %T@\n' | sort > done
+  find build/studies/stopped/runs -name 'b.*' -printf '%p %i %T@\n' | sort > before
   study stopped layouts=l1
   find build/studies/stopped/runs -name 'b.*' -printf '%p %i %T@\n' | sort > all
-  [ -z "$(comm -23 done all)" ]
-  [ "$(wc -l < done)" -lt "$(wc -l < all)" ]
+  [ -z "$(comm -23 before all)" ]
+  [ "$(wc -l < before)" -lt "$(wc -l < all)" ]
   says stopped "No run failed"
 }
 
