@@ -1,8 +1,10 @@
 /* derivatives.h - those of a layout's right-hand side by states and parameters
  *
- * The gear's come from jacobian.h.  A device needs nothing of its own: it is linear
- * in psi, psi' and its states, so that its columns are its values at unit vectors,
- * and by its parameters, those that the gear does not depend on, it is differenced.
+ * The gear's come from jacobian.h.  A device needs nothing of its own: while its
+ * elements are linear, it is so in psi, psi' and its states, and its columns are its
+ * values at unit vectors; where one of them has a law that is not (elements.h) the device
+ * alone, a few formulas, is differenced.  So it is by its parameters, those that the gear
+ * does not depend on.
  * plugin.h includes this behind device() and right_hand_side().
  */
 #ifndef MLG_DERIVATIVES_H
@@ -18,7 +20,7 @@
 static void device_rates(const double par[], const double u[], double f[])
 {
   memset(f, 0, GEAR_STATES * sizeof *f);
-  f[DPSI] = device(par, u, f);
+  f[DPSI] = torque_on_wheels(par, u, f);
 }
 
 /* d f/dx by differences of fourth order, exact to about 1e-12; x is one of the
@@ -39,9 +41,34 @@ static inline void difference(void rates(const double par[], const double u[], d
     df[i] = (8. * (f[2][i] - f[1][i]) - (f[3][i] - f[0][i])) / (12. * h);
 }
 
-/* Relative step for a parameter, and whether it can be differenced: b = 0 leaves the
- * inerter out, and a rigid k_s does not give.  There the derivative is 0. */
+/* Column j of a device with laws: the step is small against the corner that is nearest
+ * to its scale. */
+static inline void device_column(const double par[], const double u[], int j, double df[NDIM])
+{
+  static const char *const unit[NDIM] = {
+#define X(id, name, unit, meaning) unit,
+    MLG_STATES(X)
+#undef X
+  };
+  const int is_rate = strcmp(unit[j], "rad/s") == 0;
+  double x[NDIM], scale = is_rate ? 1e-1 : 1e-2;
+
+  if (is_rate && par[PAR_V_F] > 0.)
+    scale = fmin(scale, par[PAR_V_F]);
+  for (int k = PAR_G_PSI; k <= PAR_G_S && !is_rate; k++)
+    if (par[k] * par[PAR_CORNER] > 0.)
+      scale = fmin(scale, par[k] * par[PAR_CORNER]);
+  if (!is_rate && par[PAR_T_F] > 0.) /* the damper's rate follows from its torque */
+    scale = fmin(scale, par[PAR_V_F] * par[PAR_C_D] / par[PAR_K_PSI]);
+  memcpy(x, u, sizeof x);
+  difference(device_rates, par, x, &x[j], fmax(1e-2 * scale, 1e-9), df);
+}
+
+/* Relative step for a parameter, and for one of a law, which has corners; and whether it
+ * can be differenced: b = 0 leaves the inerter out, 0 a law, and a rigid k_s does not give.
+ * There the derivative is 0. */
 #define MLG_STEP 5e-4
+#define MLG_LAW_STEP 1e-5
 
 static inline int differenced(double value)
 {
@@ -80,12 +107,13 @@ static inline void settle_device(const struct inverse *m, double df[NDIM])
 /* Derivatives of f at u, where f is right_hand_side():
  *   dfdu[j * NDIM + i] = d f_i / d u_j
  *   dfdp[j * NDIM + i] = d f_i / d par[j], unless NULL; of AUTO's parameters none
- * The gear's are exact, and so are the device's, which is linear in psi, psi' and
- * its own states; those by its parameters are differences. */
+ * The gear's are exact, and so are those of a linear device; those by its parameters and
+ * of a device with laws are differences. */
 static inline void derivatives(const double par[], const double u[], const double f[], double dfdu[],
                                double dfdp[])
 {
   struct mlg_slopes E;
+  const int laws = mlg_has_laws(par);
   double p[MLG_SLOTS];
 
   mlg_slopes(par, u, f, dfdp != NULL, &E);
@@ -94,7 +122,10 @@ static inline void derivatives(const double par[], const double u[], const doubl
     double unit[NDIM] = { 0. }, *df = dfdu + j * NDIM;
 
     unit[j] = 1.;
-    device_rates(par, unit, df);
+    if (laws && (j == PSI || j == DPSI || j >= GEAR_STATES))
+      device_column(par, u, j, df);
+    else
+      device_rates(par, unit, df);
     settle_device(&m, df);
     if (j < GEAR_STATES)
       add_gear(&m, E.state[j], df);
@@ -111,7 +142,7 @@ static inline void derivatives(const double par[], const double u[], const doubl
     if (mlg_of_gear(j))
       add_gear(&m, E.parameter[j], df);
     else if (differenced(p[j])) {
-      difference(device_rates, p, u, &p[j], MLG_STEP * p[j], df);
+      difference(device_rates, p, u, &p[j], (laws ? MLG_LAW_STEP : MLG_STEP) * p[j], df);
       settle_device(&m, df);
     }
   }

@@ -20,9 +20,9 @@ enum { LAST_OF_GEAR = LAMBDA_R, DEVICE_STATES(MLG_NUMBERED) NDIM };
 /* Torque T_d, N m, that the device takes from the wheels, and du[EPS]. */
 static inline double device(const double par[], const double u[], double du[])
 {
-  const double T_d = mlg_series(par[PAR_K_PSI], par[PAR_K_S]) * (u[PSI] - u[EPS]);
+  const double T_d = mlg_links_and_k_s(par, u[PSI] - u[EPS]);
 
-  du[EPS] = (T_d - par[PAR_K_D] * u[EPS]) / mlg_damper(par[PAR_C_D]);
+  du[EPS] = mlg_damper_rate(par, T_d - mlg_k_d(par, u[EPS]));
   return T_d;
 }
 

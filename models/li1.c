@@ -24,9 +24,9 @@ enum { LAST_OF_GEAR = LAMBDA_R, DEVICE_STATES(MLG_NUMBERED) NDIM };
 /* Torque T_d, N m, that the device takes from the wheels, du[EPS] and du[DEPS]. */
 static inline double device(const double par[], const double u[], double du[])
 {
-  const double T_d = mlg_series(par[PAR_K_PSI], par[PAR_K_S]) * (u[PSI] - u[EPS]);
+  const double T_d = mlg_links_and_k_s(par, u[PSI] - u[EPS]);
 
-  mlg_spring_damper_inerter(T_d, par[PAR_K_D], par[PAR_C_D], par[PAR_B], &u[EPS], &du[EPS]);
+  mlg_damper_and_inerter(par, T_d - mlg_k_d(par, u[EPS]), &u[EPS], &du[EPS]);
   return T_d;
 }
 

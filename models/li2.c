@@ -23,10 +23,9 @@ enum { LAST_OF_GEAR = LAMBDA_R, DEVICE_STATES(MLG_NUMBERED) NDIM };
 /* Torque T_d, N m, that the device takes from the wheels, du[EPS] to du[DCHI]. */
 static inline double device(const double par[], const double u[], double du[])
 {
-  const double T_d = mlg_spring_inerter(par[PAR_K_PSI], u[PSI] - u[EPS], par[PAR_K_S], par[PAR_B],
-                                        &u[CHI], &du[CHI]);
+  const double T_d = mlg_links_and_inerter(par, u[PSI] - u[EPS], &u[CHI], &du[CHI]);
 
-  du[EPS] = (T_d - par[PAR_K_D] * u[EPS]) / mlg_damper(par[PAR_C_D]);
+  du[EPS] = mlg_damper_rate(par, T_d - mlg_k_d(par, u[EPS]));
   return T_d;
 }
 

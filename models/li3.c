@@ -25,20 +25,21 @@ enum { LAST_OF_GEAR = LAMBDA_R, DEVICE_STATES(MLG_NUMBERED) NDIM };
 /* Torque T_d, N m, that the device takes from the wheels, du[EPS] to du[DCHI]. */
 static inline double device(const double par[], const double u[], double du[])
 {
-  const double k_psi = par[PAR_K_PSI], k_s = par[PAR_K_S], k_d = par[PAR_K_D];
-  const double c_d = mlg_damper(par[PAR_C_D]), b = par[PAR_B];
-  double T_d = k_psi * (u[PSI] - u[CHI]);
+  const double k_s = par[PAR_K_S], b = par[PAR_B];
+  double T_d = mlg_links(par, u[PSI] - u[CHI]);
 
   if (b > 0. && k_s >= MLG_RIGID) {
-    mlg_spring_damper_inerter(T_d, k_d, c_d, b, &u[CHI], &du[CHI]);
+    mlg_damper_and_inerter(par, T_d - mlg_k_d(par, u[CHI]), &u[CHI], &du[CHI]);
     du[EPS] = MLG_FOLLOW * (u[CHI] - u[EPS]);
   } else if (b > 0.) {
+    const double T_s = mlg_k_s(par, u[CHI] - u[EPS]);
+
     du[CHI] = u[DCHI];
-    du[DCHI] = (T_d - k_s * (u[CHI] - u[EPS])) / b;
-    du[EPS] = (k_s * (u[CHI] - u[EPS]) - k_d * u[EPS]) / c_d;
+    du[DCHI] = (T_d - T_s) / b;
+    du[EPS] = mlg_damper_rate(par, T_s - mlg_k_d(par, u[EPS]));
   } else {
-    T_d = mlg_series(k_psi, k_s) * (u[PSI] - u[EPS]);
-    du[EPS] = (T_d - k_d * u[EPS]) / c_d;
+    T_d = mlg_links_and_k_s(par, u[PSI] - u[EPS]);
+    du[EPS] = mlg_damper_rate(par, T_d - mlg_k_d(par, u[EPS]));
     du[CHI] = MLG_FOLLOW * (u[EPS] + T_d / k_s - u[CHI]);
     du[DCHI] = MLG_FOLLOW * (du[CHI] - u[DCHI]);
   }

@@ -10,9 +10,7 @@
  *   T_d = k_psi (psi - eps - chi) = k_d (eps + chi) + T_b
  *   T_b = c_d eps' = k_s chi + b chi''
  *
- * Seen from the branch of b, k_psi and k_d are one spring k = k_psi + k_d that
- * psi twists by y = psi k_psi / k.  b = 0 leaves k_s alone in series with c_d; a rigid
- * k_s gives L1.
+ * b = 0 leaves k_s alone in series with c_d; a rigid k_s gives L1.
  */
 #include "mlg.h"
 
@@ -26,12 +24,10 @@ enum { LAST_OF_GEAR = LAMBDA_R, DEVICE_STATES(MLG_NUMBERED) NDIM };
 /* Torque T_d, N m, that the device takes from the wheels, du[EPS] to du[DCHI]. */
 static inline double device(const double par[], const double u[], double du[])
 {
-  const double k_psi = par[PAR_K_PSI], k_d = par[PAR_K_D], k = k_psi + k_d;
-  const double y = u[PSI] * k_psi / k;
-  const double T_b = mlg_spring_inerter(k, y - u[EPS], par[PAR_K_S], par[PAR_B], &u[CHI], &du[CHI]);
+  const struct mlg_fork T = mlg_fork_and_inerter(par, u[PSI], u[EPS], &u[CHI], &du[CHI]);
 
-  du[EPS] = T_b / mlg_damper(par[PAR_C_D]);
-  return k_d * y + k_psi / k * T_b;
+  du[EPS] = mlg_damper_rate(par, T.T_b);
+  return T.T_d;
 }
 
 /* The same device as a network. */

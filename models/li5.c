@@ -10,8 +10,7 @@
  *   T_d = k_psi (psi - x) = k_d x + T_b, x the twist across k_d
  *   T_b = k_s (x - eps) = c_d eps' + b eps''
  *
- * Seen from the branch of b, k_psi and k_d are one spring k = k_psi + k_d that
- * psi twists by y = psi k_psi / k.  b = 0 leaves c_d alone in series with k_s.
+ * b = 0 leaves c_d alone in series with k_s.
  */
 #include "mlg.h"
 
@@ -24,12 +23,10 @@ enum { LAST_OF_GEAR = LAMBDA_R, DEVICE_STATES(MLG_NUMBERED) NDIM };
 /* Torque T_d, N m, that the device takes from the wheels, du[EPS] and du[DEPS]. */
 static inline double device(const double par[], const double u[], double du[])
 {
-  const double k_psi = par[PAR_K_PSI], k_d = par[PAR_K_D], k = k_psi + k_d;
-  const double y = u[PSI] * k_psi / k;
-  const double T_b = mlg_series(k, par[PAR_K_S]) * (y - u[EPS]);
+  const struct mlg_fork T = mlg_fork_and_k_s(par, u[PSI], u[EPS]);
 
-  mlg_spring_damper_inerter(T_b, 0., par[PAR_C_D], par[PAR_B], &u[EPS], &du[EPS]);
-  return k_d * y + k_psi / k * T_b;
+  mlg_damper_and_inerter(par, T.T_b, &u[EPS], &du[EPS]);
+  return T.T_d;
 }
 
 /* The same device as a network. */

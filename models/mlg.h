@@ -65,7 +65,19 @@
   X(29, R,       "R",       "m",            0.362,  1e-3, 100.,      "tyre unloaded radius") \
   X(30, ALPHA_M, "alpha_m", "rad",         0.1745,  1e-3, 1.5,       "maximum slip angle")  \
   X(31, G,       "g",       "m/s^2",         9.81,  1e-3, 1e3,       "gravitational constant") \
-  X(32, M,       "M",       "kg", 200e3/9.81-500.,    0., 1e6,       "mass above B: the load is (M + m_D) g")
+  X(32, M,       "M",       "kg", 200e3/9.81-500.,    0., 1e6,       "mass above B: the load is (M + m_D) g") \
+  /* laws of elements.h: play, friction, orifice, relief valve, hardening springs */      \
+  X(37, G_PSI,   "g_psi",   "rad",            0.0,    0., 1.,        "half-width of the play of the torque links") \
+  X(38, G_S,     "g_s",     "rad",            0.0,    0., 1.,        "half-width of the play of k_s") \
+  X(39, CORNER,  "corner",  "-",              0.0,    0., 10.,       "width of the rounded corners of play and relief over g or T_max; 0: sharp") \
+  X(40, T_F,     "T_f",     "N m",            0.0,    0., 1e6,       "friction of the damper") \
+  X(41, T_PSI,   "T_psi",   "N m",            0.0,    0., 1e6,       "friction of the wheel assembly") \
+  X(42, V_F,     "v_f",     "rad/s",          0.0,    0., 1e3,       "speed scale of friction: it is T tanh(v / v_f)") \
+  X(43, C_2,     "c_2",     "N m s^2/rad^2",  0.0,    0., 1e9,       "quadratic damping of the device, of an orifice") \
+  X(44, T_MAX,   "T_max",   "N m",            0.0,    0., 1e9,       "torque at which the damper's relief valve opens; 0: it has none") \
+  X(45, C_R,     "c_r",     "N m s/rad",      0.0,    0., 1e9,       "damping of the open relief valve") \
+  X(46, K_S3,    "k_s3",    "N m/rad^3",      0.0,    0., 1e15,      "cubic stiffness of k_s") \
+  X(47, K_D3,    "k_d3",    "N m/rad^3",      0.0,    0., 1e15,      "cubic stiffness of k_d")
 
 /* Results that pvls computes at every point; list them in ICP to see them. */
 #define MLG_RESULTS(X)                                                         \
@@ -155,60 +167,7 @@ static inline void mlg_defaults(double par[])
 #undef X
 }
 
-/* Stiffness of two springs in series; exactly k when k_s is MLG_RIGID. */
-static inline double mlg_series(double k, double k_s)
-{
-  return k / (1. + k / k_s);
-}
-
-/* Rate, 1/s, at which a state that a layout does not use follows its value. */
-#define MLG_FOLLOW 1e3
-
-/* The device damping to divide by.  A damper of 0 lets its spring follow at
- * once; a millionth of N m s/rad does so 1e10 times faster than shimmy. */
-static inline double mlg_damper(double c_d)
-{
-  const double least = 1e-6;
-
-  return fabs(c_d) < least ? least : c_d;
-}
-
-/* Two groups of elements that stand side by side, as states of a device: twist
- * x[0], rad, and its rate x[1], rad/s.  Their rates go into dx. */
-
-/* Spring k, damper c and inerter b under the torque T = k x + c x' + b x''.  At
- * b = 0 the second state only follows x'; a rigid k holds x at 0. */
-static inline void mlg_spring_damper_inerter(double T, double k, double c, double b,
-                                             const double x[], double dx[])
-{
-  if (b > 0. && k < MLG_RIGID) {
-    dx[0] = x[1];
-    dx[1] = (T - k * x[0] - c * x[1]) / b;
-  } else {
-    dx[0] = k < MLG_RIGID ? (T - k * x[0]) / mlg_damper(c) : -MLG_FOLLOW * x[0];
-    dx[1] = MLG_FOLLOW * (dx[0] - x[1]);
-  }
-}
-
-/* Spring k_s and inerter b in series with a spring k, over both the twist y: returns
- * the torque T = k (y - x) = k_s x + b x''.  At b = 0 or with a rigid k_s there is no
- * motion of its own, and the two states follow the twist of k_s. */
-static inline double mlg_spring_inerter(double k, double y, double k_s, double b,
-                                        const double x[], double dx[])
-{
-  double T;
-
-  if (b > 0. && k_s < MLG_RIGID) {
-    T = k * (y - x[0]);
-    dx[0] = x[1];
-    dx[1] = (T - k_s * x[0]) / b;
-  } else {
-    T = mlg_series(k, k_s) * y;
-    dx[0] = MLG_FOLLOW * (T / k_s - x[0]);
-    dx[1] = MLG_FOLLOW * (dx[0] - x[1]);
-  }
-  return T;
-}
+#include "elements.h"
 
 /* Self-aligning moment per vertical force, m (26). */
 static inline double mlg_self_aligning(const double par[], double lambda)

@@ -30,10 +30,18 @@ struct network layout_network(const double par[])
 #define mlg_gear mlg_gear_apart
 #endif
 
+/* The torque, N m, on the wheels, and the rates of the device's states. */
+static inline double torque_on_wheels(const double par[], const double u[], double f[])
+{
+  const double T_d = device(par, u, f);
+
+  return fabs(par[PAR_T_PSI]) > 0. ? T_d + mlg_wheel_friction(par, u[DPSI]) : T_d;
+}
+
 /* f = u' for states u[NDIM] (AUTO calls them ndim of its own). */
 static inline void right_hand_side(const double par[], const double u[], double f[])
 {
-  mlg_gear(par, u, device(par, u, f), f);
+  mlg_gear(par, u, torque_on_wheels(par, u, f), f);
 }
 
 #include "derivatives.h"
@@ -52,8 +60,9 @@ extern void dggev_(const char *jobvl, const char *jobvr, const integer *n, doubl
                    const integer *ldvr, double *work, const integer *lwork, integer *info,
                    size_t len_jobvl, size_t len_jobvr);
 
-/* Whether each parameter that is divided by is above 0: else the device would
- * silently be detached, or all turn into NaN.  Says the first that is not. */
+/* Whether each parameter that is divided by is above 0, else the device would
+ * silently be detached, or all turn into NaN; and no law lacks another.  Says the first
+ * that does not hold. */
 static int usable(const double par[])
 {
   static const int divisor[] = { PAR_K_S, PAR_K_PSI, PAR_L, PAR_ALPHA_M };
@@ -67,6 +76,11 @@ static int usable(const double par[])
                          mlg_parameters[k].name, par[divisor[i]], mlg_parameters[k].unit);
       return 0;
     }
+  if (mlg_lacks(par)) {
+    if (!said)
+      said = fprintf(stderr, "%s\n", mlg_lacks(par));
+    return 0;
+  }
   return 1;
 }
 

@@ -519,6 +519,122 @@ static void func_writes_what_it_is_asked_for(void **state)
   assert_memory_equal(dfdu[0], dfdu[1], sizeof dfdu[0]);
 }
 
+/* ---- laws (elements.h) ------------------------------------------------------------ */
+
+/* Each law is on or off, as the bits of n say; corners are rounded. */
+static void some_laws(double par[], int n)
+{
+  par[PAR_CORNER] = uniform(0.3, 1.);
+  par[PAR_V_F] = uniform(0.1, 1.);
+  par[PAR_C_R] = log_uniform(1e2, 1e4);
+  par[PAR_G_PSI] = n & 1 ? log_uniform(1e-3, 1e-2) : 0.;
+  par[PAR_G_S] = n & 2 ? log_uniform(1e-3, 1e-2) : 0.;
+  par[PAR_T_F] = n & 4 ? uniform(1., 1e3) : 0.;
+  par[PAR_T_PSI] = n & 8 ? uniform(1., 1e3) : 0.;
+  par[PAR_C_2] = n & 16 ? log_uniform(1., 1e5) : 0.;
+  par[PAR_T_MAX] = n & 32 ? log_uniform(1e2, 1e5) : 0.;
+  par[PAR_K_S3] = n & 64 ? log_uniform(1e5, 1e8) : 0.;
+  par[PAR_K_D3] = n & 128 ? log_uniform(1e5, 1e8) : 0.;
+}
+
+static void laws_keep_the_mirror_symmetry(void **state)
+{
+  const double zero[NDIM] = { 0. };
+  double par[SLOTS], u[NDIM], mirrored[NDIM], f[NDIM], expected[NDIM], got[NDIM];
+
+  (void)state;
+  for (int n = 0; n < SAMPLES; n++) {
+    random_parameters(par);
+    some_laws(par, n);
+    limiting(par, n / 3 % 16);
+    rates(par, zero, f);
+    for (int i = 0; i < NDIM; i++)
+      assert_near(f[i], 0., 0.);
+    random_state_vector(u);
+    rates(par, u, f);
+    mirror(f, expected);
+    mirror(u, mirrored);
+    rates(par, mirrored, got);
+    for (int i = 0; i < NDIM; i++) {
+      assert_true(isfinite(f[i]));
+      assert_near(got[i], expected[i], 1e-11 * (fabs(expected[i]) + 1e4));
+    }
+  }
+}
+
+/* Differences on both sides: 1e-5 of the largest of a column. */
+static void derivatives_with_laws(void **state)
+{
+  double par[SLOTS], u[NDIM], f[NDIM], dfdu[NDIM * NDIM], dfdp[SLOTS * NDIM], expected[NDIM];
+
+  (void)state;
+  for (int n = 0; n < SAMPLES; n++) {
+    random_parameters(par);
+    some_laws(par, n);
+    if (n % 2)
+      limiting(par, n / 2 % 16 & ~1); /* without c_d friction alone would be divided by */
+    random_state_vector(u);
+    u[LAMBDA_L] = par[PAR_L] * tan(par[PAR_ALPHA_M] / 3.);
+    u[LAMBDA_R] = -u[LAMBDA_L];
+    func(NDIM, u, NULL, par, 2, f, dfdu, dfdp);
+    for (int j = 0; j < NDIM + MLG_PARAMETER_COUNT; j++) {
+      const int slot = j < NDIM ? 0 : mlg_parameters[j - NDIM].slot;
+      double *x = j < NDIM ? &u[j] : &par[slot];
+      const double *got = j < NDIM ? dfdu + j * NDIM : dfdp + slot * NDIM;
+      const char *name = j < NDIM ? "state" : mlg_parameters[j - NDIM].name;
+      double largest = 0.;
+
+      if (j >= NDIM && !(fabs(*x) > 0. && *x < MLG_RIGID))
+        continue;
+      slope(par, u, x, 1e-6 * fabs(*x) + (j < NDIM ? 1e-8 : 0.), expected);
+      for (int i = 0; i < NDIM; i++)
+        largest = fmax(largest, fmax(fabs(expected[i]), 1e-3 * fabs(f[i] / *x)));
+      for (int i = 0; i < NDIM; i++)
+        if (!(fabs(got[i] - expected[i]) <= 1e-5 * largest))
+          fail_msg("sample %d: d f[%d]/d %s %d = %.17g, expected %.17g; largest %g", n, i, name, j, got[i], expected[i], largest);
+    }
+  }
+}
+
+/* A twist of psi that goes to and fro takes energy from the wheels in each cycle. */
+static void laws_give_no_energy(void **state)
+{
+  const double step = 2e-5;
+
+  (void)state;
+  for (int n = 0; n < 4; n++) {
+    const double w = log_uniform(20., 200.), A = log_uniform(3e-3, 5e-2);
+    const int period = (int)ceil(2. * MLG_PI / w / step);
+    const double h = 2. * MLG_PI / w / period;
+    double par[SLOTS], u[NDIM] = { 0. }, work[2] = { 0. }, size = 0.;
+
+    random_parameters(par);
+    some_laws(par, n == 0 ? 255 : (int)uniform(1., 255.));
+    par[PAR_C_D] = log_uniform(3e3, 3e4);
+    par[PAR_B] = n % 2 ? 0. : log_uniform(50., 300.);
+    for (int i = 0; i < 6 * period; i++) { /* Runge and Kutta's step of fourth order */
+      double k[4][NDIM], v[NDIM], T = 0.;
+
+      for (int stage = 0; stage < 4; stage++) {
+        const double part = stage == 0 ? 0. : stage == 3 ? 1. : 0.5, t = (i + part) * h;
+
+        for (int j = GEAR_STATES; j < NDIM; j++)
+          v[j] = u[j] + (stage ? part * h * k[stage - 1][j] : 0.);
+        v[PSI] = A * sin(w * t);
+        v[DPSI] = A * w * cos(w * t);
+        T += (stage == 1 || stage == 2 ? 2. : 1.) / 6. * torque_on_wheels(par, v, k[stage]) * v[DPSI];
+      }
+      for (int j = GEAR_STATES; j < NDIM; j++)
+        u[j] += h / 6. * (k[0][j] + 2. * k[1][j] + 2. * k[2][j] + k[3][j]);
+      if (i >= 4 * period) {
+        work[i >= 5 * period] += T * h;
+        size += fabs(T) * h;
+      }
+    }
+    assert_true(work[1] > -1e-6 * size);
+  }
+}
+
 /* ---- device() ------------------------------------------------------------------ */
 
 /* x' = A x + B psi + B1 psi', T_d = C x + D psi + D1 psi', by unit vectors. */
@@ -1069,6 +1185,9 @@ int main(void)
     cmocka_unit_test_setup(linearisation_is_the_closed_form, seed),
     cmocka_unit_test_setup(derivatives_are_those_of_func, seed),
     cmocka_unit_test_setup(func_writes_what_it_is_asked_for, seed),
+    cmocka_unit_test_setup(laws_keep_the_mirror_symmetry, seed),
+    cmocka_unit_test_setup(derivatives_with_laws, seed),
+    cmocka_unit_test_setup(laws_give_no_energy, seed),
     cmocka_unit_test_setup(device_is_linear, seed),
     cmocka_unit_test_setup(device_has_the_stiffness_of_its_layout, seed),
     cmocka_unit_test_setup(network_is_the_device, seed),

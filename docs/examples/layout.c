@@ -24,10 +24,10 @@ static const double c_s = 200.; /* N m s/rad */
 /* Torque T_d, N m, that the device takes from the wheels, du[EPS] to du[DCHI]. */
 static inline double device(const double par[], const double u[], double du[])
 {
-  const double T_d = par[PAR_K_PSI] * (u[PSI] - u[EPS] - u[CHI]);
+  const double T_d = mlg_links(par, u[PSI] - u[EPS] - u[CHI]);
 
   mlg_spring_damper_inerter(T_d, par[PAR_K_S], c_s, par[PAR_B], &u[CHI], &du[CHI]);
-  du[EPS] = (T_d - par[PAR_K_D] * u[EPS]) / mlg_damper(par[PAR_C_D]);
+  du[EPS] = mlg_damper_rate(par, T_d - mlg_k_d(par, u[EPS]));
   return T_d;
 }
 

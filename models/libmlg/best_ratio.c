@@ -81,7 +81,7 @@ int libmlg_least_ratio(int layout, const double par[], double V_least, double V_
 
   if (!l)
     return LIBMLG_NONE;
-  libmlg_slots(par, slots);
+  libmlg_slots_at_rest(par, slots);
   V_least = above_0(V_least, V_top);
   x = crossing_of(l, slots, 0.);
   status = least_ratio(&x, slots[PAR_C_D] / x.c_unit, V_least / x.V_unit, V_top / x.V_unit, least);
@@ -106,7 +106,7 @@ int libmlg_best_c_d(int layout, const double par[], double V_least, double V_top
 
   if (!l)
     return LIBMLG_NONE;
-  libmlg_slots(par, slots);
+  libmlg_slots_at_rest(par, slots);
   V_least = above_0(V_least, V_top);
   x = crossing_of(l, slots, 0.);
   *best = (struct libmlg_ratio){ .zeta = -1., .c_d = slots[PAR_C_D], .V = V_least, .k_s = slots[PAR_K_S], .b = slots[PAR_B] };

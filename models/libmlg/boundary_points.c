@@ -241,7 +241,7 @@ static int problem(struct problem *p, int layout, const double par[], double zet
   p->layout = libmlg_find(layout);
   if (!p->layout)
     return LIBMLG_NONE;
-  libmlg_slots(par, p->par);
+  libmlg_slots_at_rest(par, p->par);
   p->x = crossing_of(p->layout, p->par, zeta);
   return 0;
 }

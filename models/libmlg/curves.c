@@ -208,7 +208,7 @@ int libmlg_curves(int layout, const double par[], double zeta, const struct libm
     free(*curves);
     return LIBMLG_FAILED;
   }
-  libmlg_slots(par, j->par);
+  libmlg_slots_at_rest(par, j->par);
   j->x = crossing_of(l, j->par, zeta);
   j->plane = (struct libmlg_plane){ plane->V_least / j->x.V_unit, plane->V_top / j->x.V_unit,
                                     plane->c_least / j->x.c_unit, plane->c_most / j->x.c_unit };

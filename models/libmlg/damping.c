@@ -15,7 +15,7 @@ int libmlg_modes(int layout, const double par[], struct libmlg_mode mode[], int 
 
   if (!l)
     return LIBMLG_NONE;
-  libmlg_slots(par, slots);
+  libmlg_slots_at_rest(par, slots);
   const int n = libmlg_spectrum(l, slots, re, im);
 
   *grows = 0;
@@ -38,7 +38,7 @@ int libmlg_least_damped(int layout, const double par[], struct libmlg_mode *mode
 
   if (!l)
     return LIBMLG_NONE;
-  libmlg_slots(par, slots);
+  libmlg_slots_at_rest(par, slots);
   n = libmlg_spectrum(l, slots, re, im);
   if (n < 0)
     return n;

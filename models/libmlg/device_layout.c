@@ -135,6 +135,13 @@ static struct network network_of(const struct libmlg_layout *l, const double par
   return device_stiffness(&devices[l->number]->device, par);
 }
 
+/* Networks are linear (friction of the wheels is the gear's). */
+static int no_corners(const struct libmlg_layout *l, const double par[], const double u[], double at[MLG_MOST_CORNERS])
+{
+  (void)l, (void)par, (void)u, (void)at;
+  return 0;
+}
+
 static const struct libmlg_layout *layout_at(int n)
 {
   struct device_layout *const d = n >= 0 && n < MOST_DEVICES ? devices[n] : NULL;
@@ -175,7 +182,7 @@ int libmlg_network(const char *text, char error[], size_t size)
     free(d);
     return LIBMLG_NONE;
   }
-  d->layout = (struct libmlg_layout){ d->device.text, GEAR_STATES + d->device.order, state, rhs, jacobian, torque, network_of, 0 };
+  d->layout = (struct libmlg_layout){ d->device.text, GEAR_STATES + d->device.order, state, rhs, jacobian, torque, network_of, no_corners, 0 };
   for (struct device_layout *none = NULL; n < MOST_DEVICES; n++, none = NULL) {
     d->layout.number = n;
     if (atomic_compare_exchange_strong(&devices[n], &none, d))

@@ -91,7 +91,7 @@ int libmlg_eigenvalues(int layout, const double par[], double re[], double im[],
 
   if (!l)
     return LIBMLG_NONE;
-  libmlg_slots(par, slots);
+  libmlg_slots_at_rest(par, slots);
   const int found = libmlg_spectrum(l, slots, re, im);
 
   if (found < 0)

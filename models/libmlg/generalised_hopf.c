@@ -207,7 +207,7 @@ int libmlg_fifth_order(int layout, const double par[], double omega, struct libm
 
   if (!l)
     return LIBMLG_NONE;
-  libmlg_slots(par, slots);
+  libmlg_slots_at_rest(par, slots);
   return libmlg_fifth_order_of(l, slots, omega, mode, a, a_5);
 }
 
@@ -323,7 +323,7 @@ int libmlg_generalised_hopf(int layout, const double par[], const struct libmlg_
   if (known < 0)
     return known;
   memcpy(h.par, par, (size_t)libmlg_parameters() * sizeof *par);
-  libmlg_slots(par, slots);
+  libmlg_slots_at_rest(par, slots);
   h.x = crossing_of(l, slots, 0.);
   for (int c = 0; c < known; c++) {
     double before = NAN;

@@ -6,7 +6,9 @@
  * The tyre's self-aligning moment has a slope jump where a slip angle passes alpha_m
  * (26).  CVODE locates that time and starts anew there, for its formulas assume
  * smoothness; such limits are counted, and a run says when it meets one.  (Past it and
- * back within one step goes unseen, at the error the step allows.)
+ * back within one step goes unseen, at the error the step allows.)  So it does at the
+ * sharp corners of the laws of elements.h: at the ends of a gap, where a relief valve
+ * opens, and where the rate of an orifice changes its sign.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -51,6 +53,7 @@ struct libmlg_integrator {
   double slots[MLG_SLOTS], rtol;
   double state_size[LIBMLG_MOST_STATES];
   int section; /* the state whose passages through 0 are met, -1: none */
+  int laws;    /* whether one of elements.h is on */
   int refused; /* whether the last states asked for have no rates */
   SUNContext context;
   N_Vector vector; /* around run->u */
@@ -104,7 +107,7 @@ static int weights(N_Vector u, N_Vector weight, void *data)
   return 0;
 }
 
-enum { LIMIT_L, LIMIT_R, SECTION, ROOTS };
+enum { LIMIT_L, LIMIT_R, SECTION, CORNER, ROOTS = CORNER + MLG_MOST_CORNERS };
 
 static int roots(sunrealtype t, N_Vector u, sunrealtype g[], void *data)
 {
@@ -115,6 +118,8 @@ static int roots(sunrealtype t, N_Vector u, sunrealtype g[], void *data)
   g[LIMIT_L] = fabs(x[LAMBDA_L]) - limit;
   g[LIMIT_R] = fabs(x[LAMBDA_R]) - limit;
   g[SECTION] = in->section < 0 ? 1. : x[in->section];
+  for (int k = in->laws ? in->l->corners(in->l, in->slots, x, g + CORNER) : 0; k < MLG_MOST_CORNERS; k++)
+    g[CORNER + k] = 1.;
   return 0;
 }
 
@@ -172,7 +177,7 @@ int libmlg_run_begin(struct libmlg_run *run, int layout, double rtol)
 void libmlg_run_section(struct libmlg_run *run, int state, int direction)
 {
   struct libmlg_integrator *in = run->integrator;
-  int directions[ROOTS] = { 0, 0, direction };
+  int directions[ROOTS] = { [SECTION] = direction };
 
   in->section = state;
   CVodeSetRootDirection(in->cvode, directions);
@@ -186,15 +191,18 @@ void libmlg_run_start(struct libmlg_run *run, const double par[], const double u
   libmlg_slots(par, in->slots);
   memmove(run->u, u, (size_t)in->l->states * sizeof *run->u);
   run->t = 0.;
-  run->limits = 0;
+  run->limits = run->corners = 0;
+  in->laws = mlg_has_laws(in->slots);
   CVodeReInit(in->cvode, run->t, in->vector);
 }
 
-int libmlg_run_to(struct libmlg_run *run, double t)
+/* One stretch of the way to t; *met where a corner ends it that nobody asked for. */
+static int stretch(struct libmlg_run *run, double t, int *met)
 {
   struct libmlg_integrator *in = run->integrator;
   int found[ROOTS], status;
 
+  *met = 0;
   if (!(t > run->t))
     return LIBMLG_AT_TIME;
   status = CVode(in->cvode, t, in->vector, &run->t, CV_NORMAL);
@@ -207,11 +215,28 @@ int libmlg_run_to(struct libmlg_run *run, double t)
   if (status != CV_ROOT_RETURN)
     return LIBMLG_AT_TIME;
   CVodeGetRootInfo(in->cvode, found);
-  if (!found[LIMIT_L] && !found[LIMIT_R])
-    return LIBMLG_AT_SECTION;
+  for (int k = CORNER; k < ROOTS; k++)
+    *met += found[k] != 0;
+  run->corners += *met;
   run->limits += (found[LIMIT_L] != 0) + (found[LIMIT_R] != 0);
-  CVodeReInit(in->cvode, run->t, in->vector);
+  if (*met || found[LIMIT_L] || found[LIMIT_R])
+    CVodeReInit(in->cvode, run->t, in->vector);
+  if (found[SECTION])
+    return LIBMLG_AT_SECTION;
   return LIBMLG_AT_LIMIT;
+}
+
+int libmlg_run_to(struct libmlg_run *run, double t)
+{
+  int reached, met;
+
+  do {
+    const long limits = run->limits;
+
+    reached = stretch(run, t, &met);
+    met = met && reached == LIBMLG_AT_LIMIT && run->limits == limits;
+  } while (met);
+  return reached;
 }
 
 double libmlg_oscillation_size(int layout, const double u[])

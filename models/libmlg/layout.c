@@ -46,6 +46,19 @@ static struct network network(const struct libmlg_layout *l, const double par[])
   return device_network(par);
 }
 
+static int corners(const struct libmlg_layout *l, const double par[], const double u[], double at[MLG_MOST_CORNERS])
+{
+  struct mlg_corners look = { .n = 0 };
+  double rates[NDIM];
+
+  (void)l;
+  mlg_looking = &look;
+  torque_on_wheels(par, u, rates);
+  mlg_looking = NULL;
+  memcpy(at, look.at, (size_t)look.n * sizeof *at);
+  return look.n;
+}
+
 const struct libmlg_layout ENTRY(NAME) = {
-  TEXT(NAME), NDIM, state, rhs, jacobian, torque, network, 0,
+  TEXT(NAME), NDIM, state, rhs, jacobian, torque, network, corners, 0,
 };

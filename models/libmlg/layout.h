@@ -21,6 +21,8 @@ struct libmlg_layout {
                    double dfdp[]);
   double (*torque)(const struct libmlg_layout *l, const double par[], const double u[]); /* T_d, N m */
   struct network (*network)(const struct libmlg_layout *l, const double par[]); /* dynamic stiffness of the device */
+  /* functions of the states that pass 0 at the corners of the laws; how many */
+  int (*corners)(const struct libmlg_layout *l, const double par[], const double u[], double at[MLG_MOST_CORNERS]);
   int number; /* among the devices read from text (device_layout.c), 0 of a file's */
 };
 
@@ -30,6 +32,9 @@ const struct libmlg_layout *libmlg_find_device(int layout);
 
 /* The slots of AUTO, from par[libmlg_parameters()]. */
 void libmlg_slots(const double par[], double slots[MLG_SLOTS]);
+
+/* The same as linear tools take them (mlg_at_rest of elements.h). */
+void libmlg_slots_at_rest(const double par[], double slots[MLG_SLOTS]);
 
 /* The eigenvalues of libmlg_eigenvalues(), at slots; how many, or LIBMLG_FAILED. */
 int libmlg_spectrum(const struct libmlg_layout *l, const double slots[], double re[], double im[]);

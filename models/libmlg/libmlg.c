@@ -136,6 +136,20 @@ void libmlg_slots(const double par[], double slots[MLG_SLOTS])
     slots[parameters[i].index] = par[i];
 }
 
+void libmlg_slots_at_rest(const double par[], double slots[MLG_SLOTS])
+{
+  libmlg_slots(par, slots);
+  mlg_at_rest(slots);
+}
+
+const char *libmlg_lacks(const double par[])
+{
+  double slots[MLG_SLOTS];
+
+  libmlg_slots(par, slots);
+  return mlg_lacks(slots);
+}
+
 int libmlg_rhs(int layout, const double par[], const double u[], double f[])
 {
   const struct libmlg_layout *l = libmlg_find(layout);
@@ -187,8 +201,7 @@ int libmlg_uses(int layout, int parameter)
     double *const p = slots[k];
 
     mlg_defaults(p);
-    p[PAR_K_S] = 1e6;
-    p[PAR_B] = 100.;
+    mlg_with_all_laws(p);
     if (k == 1)
       p[parameters[parameter].index] *= 1.1;
     for (int i = 0; i < l->states; i++)

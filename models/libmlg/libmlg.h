@@ -78,6 +78,10 @@ void libmlg_defaults(double par[]);
 /* The first parameter outside its range, or LIBMLG_NONE: all are inside. */
 int libmlg_outside(const double par[]);
 
+/* What a law that is on lacks, in words: friction its v_f, a relief valve its c_r.  NULL:
+ * nothing. */
+const char *libmlg_lacks(const double par[]);
+
 /* 1 where the rates of the layout depend on the parameter, 0 where its device has no such
  * element (l1 has no k_s and no b), LIBMLG_NONE: no such layout or parameter. */
 int libmlg_uses(int layout, int parameter);
@@ -93,14 +97,19 @@ int libmlg_rhs(int layout, const double par[], const double u[], double f[]);
 /* Its derivatives there, n = libmlg_states(layout):
  *   dfdu[j * n + i] = d f_i / d u_j,   dfdp[k * n + i] = d f_i / d par[k]
  * dfdp may be NULL.  Exact, but those by the device's own parameters, which are good
- * to 1e-10; 0 for b = 0 and for a rigid k_s.  Returns as libmlg_rhs. */
+ * to 1e-10, and all of a device with laws (models/elements.h), good to 1e-6 beside its
+ * corners; 0 for b = 0, for a rigid k_s and for a law that is 0.  Returns as libmlg_rhs. */
 int libmlg_jacobian(int layout, const double par[], const double u[], double dfdu[], double dfdp[]);
 
 /* The torque T_d, N m, that the device takes from the wheels at the states u[].
  * Returns as libmlg_rhs. */
 int libmlg_torque(int layout, const double par[], const double u[], double *T_d);
 
-/* --- straight rolling, linearised (LAPACK) --------------------------------------------- */
+/* --- straight rolling, linearised (LAPACK) ---------------------------------------------
+ *
+ * Here and wherever straight rolling is looked at, orifice, relief valve and cubic
+ * springs are what they are at rest, and play and friction, which have no linearisation
+ * there, are left out. */
 
 /* Eigenvalues re[i] + i im[i], 1/s, of the Jacobian at u = 0, by falling real part, of a
  * pair the one above the axis first; *n of them, at most libmlg_states(layout).  Those of
@@ -171,6 +180,8 @@ int libmlg_growth_slope(int layout, const double par[], const struct libmlg_mode
 struct libmlg_run {
   double t, u[LIBMLG_MOST_STATES]; /* where it is: time, s, and states */
   long limits;                     /* how often a slip angle passed alpha_m since the start */
+  long corners;                    /* how often a sharp corner of a law (end of a gap, relief
+                                      valve, reversal of an orifice) was passed */
   char error[200];                 /* why it failed, in one line */
   struct libmlg_integrator *integrator; /* its own */
 };

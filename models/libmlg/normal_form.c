@@ -204,7 +204,7 @@ int libmlg_criticality(int layout, const double par[], double omega, struct libm
 
   if (!l)
     return LIBMLG_NONE;
-  libmlg_slots(par, slots);
+  libmlg_slots_at_rest(par, slots);
   return libmlg_normal_form(l, slots, omega, mode, a);
 }
 
@@ -268,7 +268,7 @@ int libmlg_double_hopf(int layout, const double par[], const double omega[2], st
 
   if (!l)
     return LIBMLG_NONE;
-  libmlg_slots(par, slots);
+  libmlg_slots_at_rest(par, slots);
   const struct gear g = { l, slots, l->states };
 
   if (jacobian_at_rest(l, slots, A) != 0)
@@ -311,13 +311,13 @@ int libmlg_growth_slope(int layout, const double par[], const struct libmlg_mode
     return LIBMLG_NONE;
   const double step = par[parameter] != 0. ? 1e-3 * par[parameter] : 1e-3;
 
-  libmlg_slots(par, slots);
+  libmlg_slots_at_rest(par, slots);
   if (libmlg_mode_near(l, slots, mode->re, mode->im, &same, right, left) != 0)
     return LIBMLG_FAILED;
   for (int k = 0; k < 4; k++) {
     memcpy(p, par, (size_t)libmlg_parameters() * sizeof *p);
     p[parameter] += step * (k < 2 ? k - 2 : k - 1);
-    libmlg_slots(p, slots);
+    libmlg_slots_at_rest(p, slots);
     if (jacobian_at_rest(l, slots, A) != 0)
       return LIBMLG_FAILED;
     for (int i = 0; i < l->states * l->states; i++)

@@ -113,7 +113,7 @@ made() {
 
 # sources LAYOUT FILE...: the equations of a layout and these, for made
 sources() {
-  printf '%s\n' models/{mlg,network,gear,jacobian}.h models/gear.c "models/$1.c" models/libmlg/{libmlg,layout}.c "${@:2}"
+  printf '%s\n' models/{mlg,elements,network,gear,jacobian}.h models/gear.c "models/$1.c" models/libmlg/{libmlg,layout}.c "${@:2}"
 }
 
 # Sets k_s, b, c_lo, c_hi: the gear whose interval c_lo to c_hi of c_d the paper calls best.

@@ -188,11 +188,12 @@ static void check_numbers(struct constants *c, const struct entry *e, const stru
 static int has_parameter(int layout, const struct mlg_parameter *p)
 {
   const int number = libmlg_parameter(p->name);
-  double par[LIBMLG_MOST_PARAMETERS], u[LIBMLG_MOST_STATES], f[LIBMLG_MOST_STATES], g[LIBMLG_MOST_STATES];
+  double slots[MLG_SLOTS], par[LIBMLG_MOST_PARAMETERS], u[LIBMLG_MOST_STATES], f[LIBMLG_MOST_STATES], g[LIBMLG_MOST_STATES];
 
-  libmlg_defaults(par);
-  par[libmlg_parameter("k_s")] = 1e6;
-  par[libmlg_parameter("b")] = 100.;
+  mlg_defaults(slots);
+  mlg_with_all_laws(slots);
+  for (int k = 0; k < MLG_PARAMETER_COUNT; k++)
+    par[libmlg_parameter(mlg_parameters[k].name)] = slots[mlg_parameters[k].slot];
   par[libmlg_parameter("V")] = 30.;
   for (int i = 0; i < libmlg_states(layout); i++)
     u[i] = 1e-2 * (1. + 0.37 * i);
@@ -205,7 +206,7 @@ static int has_parameter(int layout, const struct mlg_parameter *p)
 /* The value at which an element is as good as absent, or NaN. */
 static double neutral(const struct mlg_parameter *p)
 {
-  return p->slot == PAR_K_S ? MLG_RIGID : p->slot == PAR_B ? 0. : (double)NAN;
+  return p->slot == PAR_K_S ? MLG_RIGID : p->slot == PAR_B || p->slot >= PAR_G_PSI ? 0. : (double)NAN;
 }
 
 static void check_parameter(struct constants *c, const struct parameter *p, const struct constants_use *use)
@@ -225,6 +226,22 @@ static void check_parameter(struct constants *c, const struct parameter *p, cons
       && !(known->slot == PAR_K_S ? x >= MLG_RIGID : x == neutral(known)))
     bad_input(c, p->file, p->line, "%s = %s: the device of %s has no %s%s", p->name, p->value, use->layout, p->name,
               isnan(neutral(known)) ? "" : known->slot == PAR_K_S ? "; leave it at inf" : "; leave it at 0");
+}
+
+/* That no law of models/elements.h lacks what it needs. */
+static void check_laws(struct constants *c)
+{
+  double slots[MLG_SLOTS] = { 0. };
+
+  mlg_defaults(slots);
+  for (int k = 0; k < c->pars; k++) {
+    const struct mlg_parameter *p = mlg_find(c->par[k].name, strlen(c->par[k].name));
+
+    if (p)
+      is_finite(c->par[k].value, &slots[p->slot]);
+  }
+  if (mlg_lacks(slots))
+    bad_input(c, c->file, 0, "%s", mlg_lacks(slots));
 }
 
 /* The names in a list or dictionary. */
@@ -299,4 +316,6 @@ void check_constants(struct constants *c, const struct constants_use *use)
   }
   for (int k = 0; k < c->pars; k++)
     check_parameter(c, &c->par[k], use);
+  if (!use || !use->starts)
+    check_laws(c);
 }

@@ -166,7 +166,34 @@ static void settle_load(struct arguments *a)
 /* Whether the device cannot tell this value from none. */
 static bool is_neutral(enum parameter_number n, double value)
 {
-  return (n == NUMBER_K_S && value >= MLG_RIGID) || (n == NUMBER_B && value == 0.);
+  return (n == NUMBER_K_S && value >= MLG_RIGID) || ((n == NUMBER_B || n >= NUMBER_G_PSI) && value == 0.);
+}
+
+/* Commands that run the laws of elements.h as they are. */
+static bool runs_laws(const char *command)
+{
+  static const char *const names[] = { "simulate", "search", "transients", "cycle", "joints" };
+
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    if (strcmp(command, names[i]) == 0)
+      return true;
+  return false;
+}
+
+/* What a linear tool takes in the place of a law, said in a line for each. */
+static void leave_laws_out(struct arguments *a)
+{
+  static const enum parameter_number none[] = { NUMBER_G_PSI, NUMBER_G_S, NUMBER_T_F, NUMBER_T_PSI };
+  static const enum parameter_number linear[] = { NUMBER_C_2, NUMBER_T_MAX, NUMBER_K_S3, NUMBER_K_D3 };
+
+  for (size_t i = 0; i < sizeof none / sizeof *none; i++)
+    if (a->par[none[i]] > 0.)
+      fprintf(stderr, "mlg %s: %s = %g is left out: play and friction have no linearisation at rest\n", a->command,
+              libmlg_parameter_quantity(none[i])->name, a->par[none[i]]);
+  for (size_t i = 0; i < sizeof linear / sizeof *linear; i++)
+    if (a->par[linear[i]] > 0.)
+      fprintf(stderr, "mlg %s: %s = %g is taken as it is at rest: it adds nothing there\n", a->command,
+              libmlg_parameter_quantity(linear[i])->name, a->par[linear[i]]);
 }
 
 void end_arguments(struct arguments *a)
@@ -178,6 +205,10 @@ void end_arguments(struct arguments *a)
     if (a->word[n] && !is_neutral(n, a->par[n]) && !libmlg_uses(a->layout, n))
       refuse(a->command, a->word[n], "layout %s has no %s", libmlg_layout_name(a->layout),
              libmlg_parameter_quantity(n)->name);
+  if (libmlg_lacks(a->par))
+    fail(a->command, MLG_BAD_INPUT, "%s", libmlg_lacks(a->par));
+  if (!runs_laws(a->command))
+    leave_laws_out(a);
 }
 
 void retake_value(struct arguments *a, const char *word, size_t length, double value)
