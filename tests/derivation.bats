@@ -35,7 +35,7 @@ outside() {
   cp -r Makefile models scripts tests "$there"
   cd "$there"
   sed -i 's/ - C \* s;/ + C * s;/' models/mlg.h
-  sed -i 's/par\[PAR_K_D\] \* u\[EPS\]/2. * &/' models/li2.c
+  sed -i 's/mlg_k_d(par, u\[EPS\])/2. * &/' models/li2.c
   make -s libmlg
   tests/verify/derivation.sh short >rows
   run -1 outside rows

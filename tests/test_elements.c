@@ -119,7 +119,7 @@ static void laws_that_tend_to_linear(void **state)
     assert_near(mlg_links_and_k_s(par, x), mlg_series(par[PAR_K_PSI], par[PAR_K_S]) * x, 0.);
     par[PAR_T_F] = 1e-9;
     par[PAR_V_F] = 1e-3;
-    par[PAR_C_2] = 1e-9;
+    par[PAR_C_2] = 1e-14;
     par[PAR_T_MAX] = 1e9;
     par[PAR_C_R] = 1.;
     par[PAR_G_PSI] = par[PAR_G_S] = 1e-16;
