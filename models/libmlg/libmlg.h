@@ -164,6 +164,25 @@ int libmlg_double_hopf(int layout, const double par[], const double omega[2], st
 int libmlg_growth_slope(int layout, const double par[], const struct libmlg_mode *mode, int parameter,
                         double *slope);
 
+/* --- play, friction, orifice and relief valve, by describing functions (LAPACK) --------- */
+
+/* A cycle: psi its amplitude, rad; stable where a little larger one falls and a little
+ * smaller one grows. */
+struct libmlg_balance { double psi, frequency_hz, delta_over_psi; int stable; };
+
+/* What a gear with laws is in an oscillation of the amplitude psi, rad, near that frequency:
+ * a linear one with the parameters equivalent[libmlg_parameters()] (k_psi, k_s, k_d, c_d and
+ * c_psi as they are in the mean; may be NULL), and its mode, whose re is the rate at which the
+ * oscillation grows.  One harmonic, the gear itself linear.
+ * Returns 0, LIBMLG_NONE, or LIBMLG_FAILED: no oscillation of that size. */
+int libmlg_equivalent(int layout, const double par[], double psi, double near_hz, double equivalent[],
+                      struct libmlg_mode *mode);
+
+/* All cycles of the amplitudes psi_least to psi_most, rad, that 61 steps between these show,
+ * the largest first, `most` of them at most.  Returns their number, or as libmlg_modes. */
+int libmlg_balance(int layout, const double par[], double psi_least, double psi_most, struct libmlg_balance cycle[],
+                   int most);
+
 /* --- integration in time (SUNDIALS) ---------------------------------------------------- */
 
 /* A run.  Starting again keeps all memory, so that thousands of runs cost their steps
@@ -211,6 +230,25 @@ int libmlg_run_to(struct libmlg_run *run, double t);
 
 /* Frees all; also after a begin that failed, or a second time. */
 void libmlg_run_end(struct libmlg_run *run);
+
+/* A periodic orbit. */
+struct libmlg_cycle {
+  double u[LIBMLG_MOST_STATES]; /* at a maximum of psi */
+  double period;                /* s */
+  double psi, delta;            /* largest |psi| and |delta|, rad */
+  int maxima;                   /* of psi in a period */
+  double error;                 /* how far from u it is after a period, relative to its size */
+  int multipliers;              /* Floquet multipliers but the trivial one, and the largest modulus */
+  double multiplier_re[LIBMLG_MOST_STATES], multiplier_im[LIBMLG_MOST_STATES], largest;
+  long corners, limits;         /* passed in a period */
+  const char *why;              /* what went wrong, in words */
+};
+
+/* The orbit that the states start[] lead to: the gear settles for so many seconds, in a run
+ * that has begun, and Newton's method finds the fixed point of its Poincare map; with settle
+ * = 0 that is unstable orbits too.  Returns 0, LIBMLG_NONE, or LIBMLG_FAILED and why. */
+int libmlg_cycle(struct libmlg_run *run, int layout, const double par[], const double start[], double settle,
+                 struct libmlg_cycle *cycle);
 
 /* What a state counts in: 1 rad, 1 m or 100 rad/s; and the size of an oscillation: its
  * largest state so counted, 1e-12 at least.  NaN, and 1e-12: no such layout or state. */

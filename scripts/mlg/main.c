@@ -31,6 +31,8 @@
   X(unfolding)      /* gear/unfolding.c */ \
   X(generalised)    /* gear/generalised.c */ \
   X(simulate)       /* gear/simulate.c */ \
+  X(joints)         /* gear/joints.c */ \
+  X(cycle)          /* gear/cycle.c */ \
   X(search)         /* gear/search.c */ \
   X(loads)          /* gear/loads.c */ \
   X(elasticities)   /* gear/elasticities.c */ \

@@ -112,9 +112,9 @@ static int prepare(const struct request *r, struct text *why)
     status = -1;
   } else if (write_file(file, r->text.at, r->text.length, why) != 0)
     status = -1;
-  else if (r->from) {
-    link = joined(r->part, "/s.", r->from, "");
-    to = joined("../", r->from, "/s.", r->from);
+  else if (r->from || r->orbit) {
+    link = r->from ? joined(r->part, "/s.", r->from, "") : joined(r->part, "/start.dat", "", "");
+    to = r->from ? joined("../", r->from, "/s.", r->from) : joined(r->start, "", "", "");
     if (symlink(to, link) != 0) {
       text_add(why, "%s: %s", link, strerror(errno));
       status = -1;

@@ -16,6 +16,7 @@ struct request {
   char *file, *layout, *program;   /* the constants file; "l1"; "l1.boundary" */
   char *exe, *folder, *part, *start;
   struct text text;                /* the constants as AUTO gets them */
+  int orbit;                       /* start is an orbit's file, AUTO's dat */
   struct timespec began;
 };
 

@@ -173,6 +173,42 @@ static int check_start(const struct request *r)
   return status;
 }
 
+/* An orbit to start from, dat=FILE, which stays where it is: AUTO sees a link in its folder. */
+static int take_orbit(struct request *r)
+{
+  char *dat = strstr(r->text.at, "\ndat = "), *end, *file;
+  struct text text = TEXT_NONE;
+
+  if (!dat)
+    return MLG_OK;
+  dat += strlen("\ndat = ");
+  end = dat + strcspn(dat, "\n");
+  file = must_allocate((size_t)(end - dat) + 1);
+  memcpy(file, dat, (size_t)(end - dat));
+  file[end - dat] = '\0';
+  if (*file == '\'' || *file == '"') {
+    memmove(file, file + 1, strlen(file));
+    file[strcspn(file, "'\"")] = '\0';
+  }
+  if (r->from) {
+    free(file);
+    return refuse("%s: both from=%s and dat: a run starts from one of them", r->name, r->from);
+  }
+  r->start = realpath(file, NULL);
+  if (!r->start || !is_file(r->start)) {
+    refuse("%s: no orbit to start from, dat = '%s' (mlg cycle LAYOUT orbit makes one)", r->name, file);
+    free(file);
+    return MLG_BAD_INPUT;
+  }
+  r->orbit = 1;
+  text_append(&text, r->text.at, (size_t)(dat - r->text.at));
+  text_add(&text, "'start.dat'%s", end);
+  text_free(&r->text);
+  r->text = text;
+  free(file);
+  return MLG_OK;
+}
+
 /* The constants as AUTO gets them. */
 static int make_constants(struct request *r)
 {
@@ -192,6 +228,8 @@ static int make_constants(struct request *r)
     return refuse("%s: from=%s starts anew because IRS = 0 in %s; say which solution, as IRS=\"'HB1'\"", r->name, r->from, r->file);
   if (r->from)
     text_add(&r->text, "s = '%s'\n", r->from);
+  if (take_orbit(r) != MLG_OK)
+    return MLG_BAD_INPUT;
   text_add(&r->text, "sv = '%s'\n", r->name); /* AUTO writes b.NAME, s.NAME and d.NAME itself */
   return MLG_OK;
 }
@@ -267,7 +305,8 @@ const struct command command_run = {
   "NAME: the run lives in build/runs/NAME with AUTO's files c.NAME, b.NAME, s.NAME, d.NAME.\n"
   "CONSTANTS: l1.straight is constants/c.l1.straight or build/constants/c.l1.straight;\n"
   "anything with a / is a path.  The first part of its name after c. is the layout.\n"
-  "from=RUN starts from that run's solutions, IRS says from which; model=MODEL runs\n"
+  "from=RUN starts from that run's solutions, IRS says from which; dat=FILE from an orbit\n"
+  "(mlg cycle LAYOUT orbit); model=MODEL runs\n"
   "build/models/MODEL.exe; gear=FILE and KEY=VALUE as for mlg constants.\n"
   "TYPE=COUNT: the run fails unless it has so many points of that type (mlg judge).\n"
   "Prints a line with the time taken and the points found when it made the run, nothing\n"

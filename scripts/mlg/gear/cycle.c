@@ -1,0 +1,110 @@
+/* cycle.c - the periodic orbit that a start leads to, as a row or for AUTO to begin from */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "arguments.h"
+#include "command.h"
+
+static const char name[] = "cycle";
+
+enum { MOST_OPTIONS = LIBMLG_MOST_STATES + 4 };
+
+static void options(struct option option[MOST_OPTIONS], int layout)
+{
+  const int n = libmlg_states(layout);
+  const struct option setting[] = {
+    { "settle", "s", 0., 1e6, 20., NULL }, { "rtol", "", 1e-14, 1e-3, 1e-10, NULL },
+    { "points", "", 10., 1e5, 400., NULL }, { NULL, NULL, 0., 0., 0., NULL },
+  };
+
+  for (int i = 0; i < n; i++) {
+    const struct libmlg_quantity *q = libmlg_state_quantity(layout, i);
+
+    option[i] = (struct option){ q->name, q->unit, -1e6, 1e6, 0., NULL };
+  }
+  memcpy(option + n, setting, sizeof setting);
+}
+
+/* t and the states over a period, a line each, and nothing else: AUTO's dat. */
+static void print_orbit(struct libmlg_run *run, const struct arguments *a, const struct libmlg_cycle *c, int points)
+{
+  libmlg_run_section(run, -1, 0);
+  libmlg_run_start(run, a->par, c->u);
+  for (int k = 0; k <= points; k++) {
+    const double t = c->period * k / points;
+
+    while (libmlg_run_to(run, t) == LIBMLG_AT_LIMIT)
+      ;
+    printf("%.16g", t);
+    for (int i = 0; i < libmlg_states(a->layout); i++)
+      printf(" %.16g", k < points ? run->u[i] : c->u[i]);
+    printf("\n");
+  }
+}
+
+static int cycle(int argc, char *argv[])
+{
+  struct option option[MOST_OPTIONS];
+  struct arguments a;
+  struct libmlg_run run;
+  struct libmlg_cycle c;
+  double start[LIBMLG_MOST_STATES] = { 0. };
+  int first = 2, orbit = 0;
+
+  begin_arguments(&a, argc, argv, option);
+  options(option, a.layout);
+  if (argc > 2 && strcmp(argv[2], "orbit") == 0)
+    orbit = 1, first = 3;
+  for (int i = first; i < argc; i++)
+    take_word(&a, argv[i]);
+  end_arguments(&a);
+  const int n = libmlg_states(a.layout);
+
+  for (int i = 0; i < n; i++)
+    start[i] = option[i].value;
+  if (libmlg_oscillation_size(a.layout, start) < 1e-11)
+    fail(name, MLG_BAD_INPUT, "the gear starts straight and stays so: give a state, as psi=0.05");
+  if (libmlg_run_begin(&run, a.layout, option[n + 1].value) != 0)
+    fail(name, MLG_FAILED, "out of memory");
+  if (libmlg_cycle(&run, a.layout, a.par, start, option[n].value, &c) != 0)
+    fail(name, MLG_FAILED, "%s", c.why);
+  if (orbit)
+    print_orbit(&run, &a, &c, (int)option[n + 2].value);
+  else {
+    printf("# period s; frequency_hz Hz; psi_max deg; dstar_max m; error, multiplier -");
+    for (int i = 0; i < n; i++)
+      printf("; %s %s", libmlg_state_quantity(a.layout, i)->name, libmlg_state_quantity(a.layout, i)->unit);
+    printf("\nperiod,frequency_hz,psi_max,dstar_max,maxima,error,multiplier,corners,limits");
+    for (int i = 0; i < n; i++)
+      printf(",%s", libmlg_state_quantity(a.layout, i)->name);
+    printf("\n%.11g,%.11g,%.11g,%.11g,%d,%.1e,%.8g,%ld,%ld", c.period, 1. / c.period, c.psi * 180. / MLG_PI,
+           c.delta * a.par[NUMBER_L_DELTA], c.maxima, c.error, c.largest, c.corners, c.limits);
+    for (int i = 0; i < n; i++)
+      printf(",%.11g", c.u[i]);
+    printf("\n");
+  }
+  libmlg_run_end(&run);
+  return output_status(name);
+}
+
+const struct command command_cycle = {
+  .name = name,
+  .usage = "LAYOUT [orbit] [NAME=VALUE ...]",
+  .summary = "the periodic orbit that a start leads to, for AUTO to begin from",
+  .details =
+    "Integrates from a state (psi=0.05, as for mlg simulate) for settle=20 seconds, the sharp\n"
+    "corners of play, orifice and relief valve located on the way, and finds the periodic\n"
+    "orbit by Newton's method on the Poincare map of the maxima of psi.  settle=0 begins at\n"
+    "once, which finds unstable orbits beside the start too.  rtol: of a step (1e-10).\n"
+    "\n"
+    "Prints CSV: period, frequency_hz, psi_max (deg) and dstar_max (m), the largest of\n"
+    "either sign; maxima of psi in a period; error: how far the states are from where they\n"
+    "were after a period, relative to the oscillation; multiplier: the largest modulus of the\n"
+    "Floquet multipliers but the trivial one, stable below 1; corners and limits (slip angles\n"
+    "passing alpha_m) in a period; the states at a maximum of psi.\n"
+    "orbit prints t and the states at points=400 times of a period: AUTO's dat\n"
+    "(docs/joints.md).\n"
+    "Status 1: no periodic orbit was found, and why.\n",
+  .run = cycle,
+};

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# play.sh - from a history to a continued branch: shimmy that no Hopf point leads to
+#
+#   scripts/play.sh NAME LAYOUT along=PARAMETER to=VALUE [NAME=VALUE ...]
+#
+# The gear starts from a state (psi=0.05) and settles for settle=20 s; the orbit it comes
+# to (mlg cycle) is AUTO's start, and AUTO continues it along the parameter to its value,
+# both with the corners that corner= says (docs/joints.md). NAME=VALUE is a parameter, a
+# state at t = 0, settle, or a constant of AUTO in capitals.
+#
+# Example  scripts/play.sh worn l1 along=T_psi to=300 V=60 c_d=2890 g_psi=0.004363 corner=0.005 v_f=0.05 psi=0.05
+# Writes   build/tables/NAME.dat, the run build/runs/NAME, build/tables/NAME.csv
+# Exit     1: no orbit, or AUTO failed; 2: bad input
+. "$(dirname "${BASH_SOURCE[0]}")/auto/lib.sh"
+
+[ $# -ge 4 ] || fail "usage: scripts/play.sh NAME LAYOUT along=PARAMETER to=VALUE [NAME=VALUE ...]" 2
+name=$1 layout=$2 along='' to=''
+check_name "$name"
+shift 2
+cycle=() constants=()
+build
+states=" $(awk -F"'" '/^unames/ { for (k = 2; k < NF; k += 2) print $k }' <(mlg constants constants/c.l1.orbit layout="$layout") | xargs) settle rtol "
+for word; do
+  case $word in
+    along=*) along=${word#*=} ;;
+    to=*) to=${word#*=} ;;
+    [A-Z][A-Z]*=*) constants+=("$word") ;;
+    *)
+      cycle+=("$word")
+      case $states in *" ${word%%=*} "*) ;; *) constants+=("$word") ;; esac
+      ;;
+  esac
+done
+[ -n "$along" ] && [ -n "$to" ] || fail "play.sh: along=PARAMETER and to=VALUE say where the branch goes" 2
+mkdir -p build/tables
+mlg cycle "$layout" orbit ${cycle[@]+"${cycle[@]}"} > "build/tables/$name.dat.new" || exit $?
+mv "build/tables/$name.dat.new" "build/tables/$name.dat"
+
+# where it begins, and which way it goes; a step is a hundredth of the way at most
+read -r from step weight <<< "$(mlg constants "constants/c.l1.orbit" layout="$layout" ${constants[@]+"${constants[@]}"} |
+  awk -v along="$along" -v to="$to" '
+    /^PAR = / && match($0, "\047" along "\047: *[^,}]*") { from = substr($0, RSTART, RLENGTH); sub(/.*: */, "", from) }
+    END {
+      far = to - from
+      print from + 0, far < 0 ? -0.002 : 0.002, far == 0 ? 1 : 1 / far ^ 2
+    }')"
+run "$name" "$layout.orbit" dat="build/tables/$name.dat" ${constants[@]+"${constants[@]}"} \
+  ICP="['$along', 'period', 'psi_max', 'dstar_max']" THL="{'$along': $weight, 'period': 0.0}" \
+  DS="$step" DSMAX=0.02 UZSTOP="{'$along': $to}" --
+mlg table "$name" > "build/tables/$name.csv"
+echo "  $along from $from: build/tables/$name.csv"

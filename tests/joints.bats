@@ -1,0 +1,156 @@
+# joints.bats - play, friction, orifice and relief valve, from the words to AUTO's branches
+#
+# The laws themselves are in test_elements.c and test_layout.c. Here: wrong values, what
+# linear tools say, the cycles by three ways that share the equations only (integration
+# with located corners, AUTO with rounded ones, describing functions), and random samples
+# of the tables of record.
+#
+# Needs   the models (make models)
+# Writes  build/tests/joints
+
+bats_require_minimum_version 1.5.0
+load scratch
+
+setup_file() {
+  scratch joints
+}
+
+setup() {
+  cd "$SCRATCH" || return
+}
+
+refuses() { # PATTERN COMMAND...: status 2 and one line that has the pattern
+  local pattern=$1
+  shift
+  run -2 "$@"
+  # shellcheck disable=SC2053 # a pattern
+  [ "${#lines[@]}" -eq 1 ] && [[ $output == $pattern ]] || { echo "$output"; return 1; }
+}
+
+readonly worn="g_psi=0.004363 psi=0.05"
+
+designs() { # the paper's, each in the middle of its interval
+  echo "l1 c_d=2890"
+  echo "l2 c_d=8000 k_s=7.86e5"
+  echo "li1 c_d=7000 k_s=6.38e5 b=140"
+  echo "li2 c_d=12000 k_s=2.48e6 b=140"
+  echo "li3 c_d=8000 k_s=718567 b=28.77"
+  echo "li4 c_d=8000 k_s=2.38e6 b=140"
+  echo "li5 c_d=4000 k_s=5.4e5 b=100"
+}
+
+## Words
+
+@test "values that make no law end in one line" {
+  refuses "*'g_psi=-0.01': outside its range, 0 to 1 rad*" mlg simulate l1 orbit g_psi=-0.01 psi=0.1
+  refuses "*T_f, T_psi) needs v_f above 0*" mlg cycle l1 T_psi=10 psi=0.1
+  refuses "*T_f, T_psi) needs v_f above 0*" mlg joints li2 T_f=10
+  refuses "*T_max) needs c_r above 0*" mlg simulate l2 orbit T_max=1000 psi=0.1
+  refuses "*'g_s=0.001': layout l1 has no g_s*" mlg cycle l1 g_s=0.001 psi=0.1
+  refuses "*'k_s3=1': layout l1 has no k_s3*" mlg joints l1 k_s3=1
+  refuses "*g_psi = -0.01 rad is outside its range, 0 to 1*" mlg constants constants/c.l1.straight g_psi=-0.01
+  refuses "*T_f, T_psi) needs v_f above 0*" mlg constants constants/c.l1.straight T_f=5
+  refuses "*no orbit to start from, dat = 'nowhere.dat'*" auto_run a l1.orbit dat=nowhere.dat --
+  run -1 mlg cycle l1 V=60 c_d=2890 psi=0.05 settle=1e3 # the paper's design without play
+  [ "$output" = "mlg cycle: the oscillation dies out" ]
+}
+
+@test "a law that lacks something ends AUTO's run, too" {
+  sed 's/^PAR .*/PAR  = {"V": 1.0, "T_psi": 10.0}/; s/.c_d.: 3.6e4//' constants/c.l1.straight >fort.2
+  : >fort.3
+  build/models/l1.exe >auto.log 2>&1 || true
+  grep -F 'needs v_f above 0' auto.log
+}
+
+@test "linear tools say what they took" {
+  run --separate-stderr -0 mlg intervals l1 g_psi=0.004 T_psi=5 v_f=0.1 c_2=3
+  # shellcheck disable=SC2154 # bats sets it
+  [ "$(grep -c 'is left out: play and friction have no linearisation at rest' <<<"$stderr")" -eq 2 ]
+  grep -q 'c_2 = 3 is taken as it is at rest' <<<"$stderr"
+  [ "$output" = "$(mlg intervals l1)" ]
+}
+
+@test "every law can be given and continued by its name, in every layout" {
+  local design layout law value lasting
+  while read -r design; do
+    layout=${design%% *}
+    for law in g_psi:0.005 g_s:0.004363 T_f:5 T_psi:5 c_2:500 T_max:1900 k_s3:1e8 k_d3:1e8 corner:0.3 v_f:0.2 c_r:200; do
+      value=${law#*:} law=${law%:*}
+      case $layout.$law in l1.g_s | l1.k_s3) continue ;; esac
+      lasting="V=60 corner=0.2 v_f=0.1 c_r=100 T_max=2000 T_psi=2"
+      [ "$law" != g_s ] || lasting+=" g_s=0.002"
+      # shellcheck disable=SC2086 # words
+      build/bin/mlg cycle $design orbit >/dev/null 2>&1 || true
+      # shellcheck disable=SC2046,SC2086
+      scripts/play.sh every "$layout" along="$law" to="$value" ${design#* } $(tr ' ' '\n' <<<"$lasting $worn" | grep -v "^$law=") \
+        $([[ $law =~ ^(corner|v_f|c_r|g_psi|T_max|T_psi|g_s)$ ]] && tr ' ' '\n' <<<"$lasting $worn" | grep "^$law=") >play.out 2>&1 ||
+        { echo "$layout $law"; cat play.out; return 1; }
+      near "$(tail -n 1 build/tables/every.csv | cut -d, -f6)" "$value" 1e-6 "$layout along $law"
+    done
+  done < <(designs | sed -n '1p;4p;6p;7p')
+}
+
+## Cycles
+
+@test "the command of the guide: from a history to a branch, with its fold" {
+  examples docs/joints.md 1 1 >example.sh
+  bash -eu example.sh
+  near "$(value worn LP T_psi)" 84.0 0.01 "friction at the fold"
+}
+
+@test "AUTO's cycles with rounded corners are those of integration with sharp ones" {
+  local design layout words V sharp amplitude n=0
+  while read -r design; do
+    layout=${design%% *}
+    for V in 30 110; do
+      words="${design#* } V=$V $worn"
+      # shellcheck disable=SC2086 # words
+      sharp=$(mlg cycle "$layout" $words settle=40 | awk -F, 'NR == 3 { print $1, $3 }')
+      # shellcheck disable=SC2086
+      scripts/play.sh round "$layout" along=V to=$((V + 5)) $words corner=0.003 settle=40 >/dev/null
+      amplitude=$(awk -F, '/^1,/ { print $(NF - 2), $(NF - 1) }' build/tables/round.csv)
+      near "${amplitude% *}" "${sharp% *}" 1e-4 "period of $design at $V"
+      near "${amplitude#* }" "${sharp#* }" 2e-4 "psi of $design at $V"
+      n=$((n + 1))
+    done
+  done < <(designs | sed -n '1,5p')
+  [ "$n" -eq 10 ]
+}
+
+@test "a branch ends where integration says, along play, friction, orifice and damping" {
+  local along to last
+  while read -r along to; do
+    # shellcheck disable=SC2086 # words
+    scripts/play.sh there l2 along="$along" to="$to" V=60 c_d=8000 k_s=7.86e5 v_f=0.05 corner=0.01 $worn >/dev/null
+    last=$(tail -n 1 build/tables/there.csv | awk -F, '{ print $(NF - 1) }')
+    # shellcheck disable=SC2046,SC2086
+    near "$(cell psi_max cycle l2 settle=60 "$along=$to" $(printf '%s\n' V=60 c_d=8000 k_s=7.86e5 v_f=0.05 corner=0.01 $worn |
+      grep -v "^$along="))" "$last" 5e-5 "psi at $along = $to"
+  done <<'EOF'
+g_psi 0.012
+T_psi 40
+T_f 100
+c_2 3000
+c_d 15000
+V 90
+EOF
+}
+
+@test "describing functions are near the cycles, nearer where the motion is one harmonic" {
+  local exact
+  exact=$(cell psi_max cycle l1 V=60 c_d=2890 $worn)
+  near "$(cell psi joints l1 V=60 c_d=2890 g_psi=0.004363)" "$exact" 0.1 "psi beside a gap"
+  # an orifice on the gear of Figure 6: smooth, and nearly one harmonic
+  exact=$(cell psi_max cycle l1 V=20 c_d=1000 c_2=2000 psi=0.05 settle=60)
+  near "$(cell psi joints l1 V=20 c_d=1000 c_2=2000)" "$exact" 0.1 "psi with an orifice"
+}
+
+@test "the equivalent gear of one amplitude has the closed forms" {
+  local psi=0.0174532925199433 w
+  w=$(cell frequency_hz joints l1 at=1 V=60 T_psi=100 v_f=1e-3 c_d=3000)
+  near "$(cell c_psi joints l1 at=1 V=60 T_psi=100 v_f=1e-3 c_d=3000)" \
+    "$(awk "BEGIN { pi = atan2(0, -1); print 300 + 4 * 100 / (pi * 2 * pi * $w * $psi) }")" 1e-3 "friction: 4 T A a cycle"
+  # twice the play at twice the amplitude is the same gear
+  near "$(cell k_psi joints l2 at=2 V=60 k_s=7.86e5 c_d=8000 g_psi=0.02)" \
+    "$(cell k_psi joints l2 at=1 V=60 k_s=7.86e5 c_d=8000 g_psi=0.01)" 1e-9 "k_psi"
+}
