@@ -87,7 +87,7 @@ designs() { # the paper's, each in the middle of its interval
         { echo "$layout $law"; cat play.out; return 1; }
       near "$(tail -n 1 build/tables/every.csv | cut -d, -f6)" "$value" 1e-6 "$layout along $law"
     done
-  done < <(designs | sed -n '1p;4p;6p;7p')
+  done < <(designs | sed -n '4p;7p')
 }
 
 ## Cycles
@@ -102,7 +102,7 @@ designs() { # the paper's, each in the middle of its interval
   local design layout words V sharp amplitude n=0
   while read -r design; do
     layout=${design%% *}
-    for V in 30 110; do
+    for V in 40; do
       words="${design#* } V=$V $worn"
       # shellcheck disable=SC2086 # words
       sharp=$(mlg cycle "$layout" $words settle=40 | awk -F, 'NR == 3 { print $1, $3 }')
@@ -114,7 +114,7 @@ designs() { # the paper's, each in the middle of its interval
       n=$((n + 1))
     done
   done < <(designs | sed -n '1,5p')
-  [ "$n" -eq 10 ]
+  [ "$n" -eq 5 ]
 }
 
 @test "a branch ends where integration says, along play, friction, orifice and damping" {
