@@ -65,7 +65,7 @@ static int has_law(int slot, const double par[])
 
 static double _Complex stiffness(const struct libmlg_layout *l, const double slots[], double _Complex s)
 {
-  const struct network Z = l->network(slots);
+  const struct network Z = l->network(l, slots);
 
   return poly_value(&Z.num, s) / poly_value(&Z.den, s);
 }

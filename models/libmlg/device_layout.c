@@ -182,7 +182,8 @@ int libmlg_network(const char *text, char error[], size_t size)
     free(d);
     return LIBMLG_NONE;
   }
-  d->layout = (struct libmlg_layout){ d->device.text, GEAR_STATES + d->device.order, state, rhs, jacobian, torque, network_of, no_corners, 0 };
+  d->layout = (struct libmlg_layout){ d->device.text, GEAR_STATES + d->device.order, state, rhs, jacobian, torque,
+                                      network_of, no_corners, 0 };
   for (struct device_layout *none = NULL; n < MOST_DEVICES; n++, none = NULL) {
     d->layout.number = n;
     if (atomic_compare_exchange_strong(&devices[n], &none, d))
