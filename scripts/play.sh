@@ -31,7 +31,7 @@ for word; do
       ;;
   esac
 done
-[ -n "$along" ] && [ -n "$to" ] || fail "play.sh: along=PARAMETER and to=VALUE say where the branch goes" 2
+[[ -n $along && -n $to ]] || fail "play.sh: along=PARAMETER and to=VALUE say where the branch goes" 2
 mkdir -p build/tables
 mlg cycle "$layout" orbit ${cycle[@]+"${cycle[@]}"} > "build/tables/$name.dat.new" || exit $?
 mv "build/tables/$name.dat.new" "build/tables/$name.dat"

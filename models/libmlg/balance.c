@@ -19,8 +19,9 @@
 #include <string.h>
 
 #include "layout.h"
+#include "linearised.h"
 
-enum { POINTS = 256, ELEMENTS = 4 };
+enum { POINTS = 128, ELEMENTS = 4 };
 
 static const int element[ELEMENTS] = { PAR_K_PSI, PAR_K_S, PAR_K_D, PAR_C_D };
 
@@ -86,12 +87,43 @@ static double share(const struct libmlg_layout *l, const double slots[], int slo
   return sqrt(cabs((Z[1] - Z[0]) / (2. * h * (slot == PAR_C_D ? s : 1.))));
 }
 
+/* den det of linearised.h, for the gear with the device of slots. */
+static double _Complex characteristic_at(const struct libmlg_layout *l, const double slots[], double _Complex s)
+{
+  const struct gear_matrix g = gear_matrix(slots, slots[PAR_V]);
+  const struct network Z = l->network(l, slots);
+  const double _Complex A11 = poly_value(&g.A11, s), A12 = poly_value(&g.A12, s), A22 = poly_value(&g.A22, s);
+  const double _Complex Ls = poly_value(&g.Ls, s), p = poly_value(&g.p, s), tyre = poly_value(&g.tyre, s);
+  const double _Complex whole = A11 * (A22 * tyre + p * g.D2) - A12 * (A12 * tyre + Ls * g.D2) + g.D1 * (A22 * Ls - A12 * p);
+
+  return poly_value(&Z.den, s) * whole + poly_value(&Z.num, s) * (A11 * tyre + Ls * g.D1);
+}
+
+/* The eigenvalue that Newton's method finds from s on; 0 where it finds none. */
+static double _Complex eigenvalue_from(const struct libmlg_layout *l, const double slots[], double _Complex s)
+{
+  for (int i = 0; i < 50; i++) {
+    const double h = 1e-6 * cabs(s);
+    const double _Complex F = characteristic_at(l, slots, s);
+    const double _Complex slope = (characteristic_at(l, slots, s + h) - characteristic_at(l, slots, s - h)) / (2. * h);
+    const double _Complex step = F / slope;
+
+    if (!isfinite(creal(step)) || !isfinite(cimag(step)))
+      return 0.;
+    s -= cabs(step) > 0.3 * cabs(s) ? step * (0.3 * cabs(s) / cabs(step)) : step;
+    if (cabs(step) < 1e-12 * cabs(s))
+      break;
+  }
+  return s;
+}
+
 int libmlg_equivalent(int layout, const double par[], double psi, double near_hz, double equivalent[],
                       struct libmlg_mode *mode)
 {
   const struct libmlg_layout *l = libmlg_find(layout);
   const double floor = 1e-7; /* of a stiffness: inside its gap a joint has none */
-  double slots[MLG_SLOTS], p[MLG_SLOTS], re = 0., im = 2. * MLG_PI * near_hz;
+  double slots[MLG_SLOTS], p[MLG_SLOTS];
+  double _Complex s = 2. * MLG_PI * near_hz * I;
 
   if (!l)
     return LIBMLG_NONE;
@@ -99,83 +131,102 @@ int libmlg_equivalent(int layout, const double par[], double psi, double near_hz
   memcpy(p, slots, sizeof p);
   mlg_at_rest(p);
   p[PAR_K_S3] = p[PAR_K_D3] = 0.;
-  for (int e = 0; e < ELEMENTS; e++) /* what play and friction begin with makes no odds */
+  for (int e = 0; e < ELEMENTS; e++) /* to begin with */
     if (has_law(element[e], slots) && element[e] != PAR_C_D)
       p[element[e]] = fmax(mean_of_element(element[e], slots, psi), 1e-3 * slots[element[e]]);
-  for (int i = 0; i < 400; i++) {
+  for (int i = 0; i < 300; i++) {
+    const double _Complex before = s;
     double change = 0.;
 
-    if (libmlg_mode_near(l, p, re, im, mode, NULL, NULL) != 0 || !(mode->im > 0.))
+    s = eigenvalue_from(l, p, s);
+    if (!(cimag(s) > 1e-3))
       return LIBMLG_FAILED;
-    change = fabs(mode->re - re) + fabs(mode->im - im);
-    re = mode->re;
-    im = mode->im;
-    p[PAR_C_PSI] = slots[PAR_C_PSI] + (slots[PAR_T_PSI] > 0. ? mean_of(mlg_wheel_friction, slots, im * psi) : 0.);
+    p[PAR_C_PSI] = slots[PAR_C_PSI] + (slots[PAR_T_PSI] > 0. ? mean_of(mlg_wheel_friction, slots, cimag(s) * psi) : 0.);
     for (int e = 0; e < ELEMENTS; e++)
       if (has_law(element[e], slots)) {
         const int slot = element[e];
-        const double x = share(l, p, slot, im) * psi;
-        const double mean = fmax(mean_of_element(slot, slots, (slot == PAR_C_D ? im : 1.) * x), floor * slots[slot]);
-        const double next = sqrt(p[slot] * mean); /* in steps, for all hang together */
+        const double x = share(l, p, slot, cimag(s)) * psi;
+        const double mean = fmax(mean_of_element(slot, slots, (slot == PAR_C_D ? cimag(s) : 1.) * x), floor * slots[slot]);
+        const double next = sqrt(p[slot] * mean); /* half of the way, for all hang together */
 
-        change += im * fabs(log(next / p[slot]));
+        change = fmax(change, fabs(log(next / p[slot])));
         p[slot] = next;
       }
-    if (change <= 1e-11 * im)
+    if (change < 1e-10 && cabs(s - before) < 1e-10 * cabs(s))
       break;
   }
-  mode->V = slots[PAR_V];
+  *mode = (struct libmlg_mode){
+    .V = slots[PAR_V], .re = creal(s), .im = cimag(s), .zeta = -creal(s) / cabs(s), .frequency_hz = cimag(s) / (2. * MLG_PI),
+    .delta_over_psi = delta_over_psi(p, slots[PAR_V], s),
+  };
   if (equivalent)
     for (int k = 0; k < MLG_PARAMETER_COUNT; k++)
       equivalent[libmlg_parameter(mlg_parameters[k].name)] = p[mlg_parameters[k].slot];
   return 0;
 }
 
-int libmlg_balance(int layout, const double par[], double psi_least, double psi_most, struct libmlg_balance cycle[], int most)
+/* The amplitude between lo and hi where the growth is 0, and its mode; growth: at hi. */
+static double root_between(int layout, const double par[], double lo, double hi, double growth, double hz,
+                           struct libmlg_mode *at)
 {
-  enum { MODES = 6, STEPS = 60 };
-  struct libmlg_mode mode[MODES], at;
-  double equivalent[LIBMLG_MOST_PARAMETERS];
-  int grows, n = 0, modes;
+  for (int k = 0; k < 40 && hi / lo > 1. + 1e-9; k++) {
+    const double middle = sqrt(lo * hi);
+
+    if (libmlg_equivalent(layout, par, middle, hz, NULL, at) != 0)
+      break;
+    if (at->re * growth > 0.)
+      hi = middle;
+    else
+      lo = middle;
+  }
+  return sqrt(lo * hi);
+}
+
+/* Cycles of one mode, known at the largest amplitude; returns how many there are now. */
+static int follow(int layout, const double par[], double hz, double psi_least, double psi_most,
+                  struct libmlg_balance cycle[], int n, int most, int *grows)
+{
+  enum { STEPS = 40 };
+  double psi = psi_most, growth = NAN;
+
+  for (int i = 0; i <= STEPS; i++) { /* from the large, where play is small, to the small */
+    const double next = psi_most * pow(psi_least / psi_most, (double)i / STEPS);
+    struct libmlg_mode here, at;
+
+    if (libmlg_equivalent(layout, par, next, hz, NULL, &here) != 0)
+      break; /* it oscillates no longer */
+    *grows |= i == 0 && here.re > 0.;
+    if (growth * here.re < 0. && n < most) {
+      at = here;
+      const double root = root_between(layout, par, next, psi, growth, here.frequency_hz, &at);
+
+      cycle[n++] = (struct libmlg_balance){ root, at.frequency_hz, at.delta_over_psi, growth < 0. };
+    }
+    psi = next;
+    hz = here.frequency_hz;
+    growth = here.re;
+  }
+  return n;
+}
+
+int libmlg_balance(int layout, const double par[], double psi_least, double psi_most, struct libmlg_balance cycle[], int most,
+                   int *grows)
+{
+  enum { MODES = 6 };
+  struct libmlg_mode mode[MODES];
+  int diverges, n = 0, modes;
 
   if (!libmlg_find(layout))
     return LIBMLG_NONE;
-  if ((modes = libmlg_modes(layout, par, mode, MODES, &grows)) < 0)
+  if ((modes = libmlg_modes(layout, par, mode, MODES, &diverges)) < 0)
     return modes;
-  modes = modes < MODES ? modes : MODES;
-  for (int m = 0; m < modes; m++) {
-    double hz = mode[m].frequency_hz, psi = psi_most, growth = NAN;
-
-    for (int i = 0; i <= STEPS; i++) { /* from the large, where play is small, to the small */
-      const double next = psi_most * pow(psi_least / psi_most, (double)i / STEPS);
-      double lo, hi;
-
-      if (libmlg_equivalent(layout, par, next, hz, equivalent, &at) != 0)
-        break; /* it oscillates no longer */
-      hz = at.frequency_hz;
-      if (growth * at.re < 0. && n < most) {
-        const int stable = growth < 0.;
-
-        lo = next;
-        hi = psi;
-        for (int k = 0; k < 60 && hi / lo > 1. + 1e-12; k++) {
-          const double middle = sqrt(lo * hi);
-
-          if (libmlg_equivalent(layout, par, middle, hz, equivalent, &at) != 0)
-            break;
-          *(at.re * growth > 0. ? &hi : &lo) = middle;
-        }
-        cycle[n++] = (struct libmlg_balance){ sqrt(lo * hi), at.frequency_hz, at.delta_over_psi, stable };
-        libmlg_equivalent(layout, par, next, hz, equivalent, &at);
-      }
-      psi = next;
-      growth = at.re;
-    }
-  }
+  *grows = 0;
+  for (int m = 0; m < modes && m < MODES; m++)
+    n = follow(layout, par, mode[m].frequency_hz, psi_least, psi_most, cycle, n, most, grows);
   /* two modes may have become one on the way: each cycle once, the largest first */
   for (int i = 0; i < n; i++)
     for (int j = i + 1; j < n; j++)
-      if (fabs(log(cycle[i].psi / cycle[j].psi)) < 1e-6 && fabs(cycle[i].frequency_hz - cycle[j].frequency_hz) < 1e-6)
+      if (fabs(log(cycle[i].psi / cycle[j].psi)) < 1e-6 && fabs(cycle[i].frequency_hz / cycle[j].frequency_hz - 1.) < 1e-6)
         cycle[j--] = cycle[--n];
   for (int i = 1; i < n; i++)
     for (int j = i; j > 0 && cycle[j].psi > cycle[j - 1].psi; j--) {

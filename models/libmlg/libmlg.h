@@ -178,10 +178,11 @@ struct libmlg_balance { double psi, frequency_hz, delta_over_psi; int stable; };
 int libmlg_equivalent(int layout, const double par[], double psi, double near_hz, double equivalent[],
                       struct libmlg_mode *mode);
 
-/* All cycles of the amplitudes psi_least to psi_most, rad, that 61 steps between these show,
- * the largest first, `most` of them at most.  Returns their number, or as libmlg_modes. */
+/* All cycles of the amplitudes psi_least to psi_most, rad, that 40 steps between these show,
+ * the largest first, `most` of them at most; *grows: whether an oscillation of psi_most still
+ * does.  Returns their number, or as libmlg_modes. */
 int libmlg_balance(int layout, const double par[], double psi_least, double psi_most, struct libmlg_balance cycle[],
-                   int most);
+                   int most, int *grows);
 
 /* --- integration in time (SUNDIALS) ---------------------------------------------------- */
 

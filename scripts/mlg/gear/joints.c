@@ -1,6 +1,7 @@
-/* joints.c - the cycles of a gear with play, friction and a real damper, in a moment */
+/* joints.c - the cycles of a gear with play, friction and a real damper: one gear or a map */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "arguments.h"
 #include "command.h"
@@ -9,46 +10,184 @@ static const char name[] = "joints";
 
 static const double degree = MLG_PI / 180.;
 
-static int joints(int argc, char *argv[])
-{
-  enum { LEAST, MOST_PSI, AT, NEAR, MOST = 32 };
-  struct option option[] = {
-    { "psi_least", "deg", 1e-9, 90., 1e-3, NULL }, { "psi_most", "deg", 1e-9, 90., 30., NULL },
-    { "at", "deg", 1e-9, 90., 0., NULL }, { "near", "Hz", 1e-3, 1e4, 11., NULL }, { NULL, NULL, 0., 0., 0., NULL },
-  };
+enum { LEAST, PSI_MOST, AT, NEAR, CYCLES, SETTLE, MOST_RANGES = 2, MOST = 32 };
+
+/* NAME=FROM:TO:N, N values in equal steps. */
+struct range { const char *text; double from, to; int n; };
+
+struct map {
   struct arguments a;
-  struct libmlg_balance cycle[MOST];
+  struct option *option;
+  struct range range[MOST_RANGES];
+  int ranges;
+  double value[MOST_RANGES];
+  struct libmlg_run run;                    /* with cycles=1 */
+  double state[LIBMLG_MOST_STATES], psi;    /* of the cycle before, 0: none */
+};
 
-  read_arguments(&a, argc, argv, option);
-  if (option[LEAST].value >= option[MOST_PSI].value)
-    refuse(name, option[MOST_PSI].word ? option[MOST_PSI].word : option[LEAST].word, "psi_most has to be above psi_least");
-  if (option[AT].word) {
-    double equivalent[LIBMLG_MOST_PARAMETERS];
-    struct libmlg_mode mode;
+static void print_equivalent(const struct arguments *a, const struct option option[])
+{
+  double equivalent[LIBMLG_MOST_PARAMETERS];
+  struct libmlg_mode mode;
 
-    if (libmlg_equivalent(a.layout, a.par, option[AT].value * degree, option[NEAR].value, equivalent, &mode) != 0)
-      fail(name, MLG_FAILED, "no oscillation of that size near %g Hz", option[NEAR].value);
-    printf("# psi deg; growth 1/s; frequency_hz Hz; k_psi, k_s, k_d N m/rad; c_d, c_psi N m s/rad\n"
-           "psi,growth,frequency_hz,delta_over_psi,k_psi,k_s,k_d,c_d,c_psi\n%.11g,%.11g,%.11g,%.11g,%.11g,%.11g,%.11g,%.11g,%.11g\n",
-           option[AT].value, mode.re, mode.frequency_hz, mode.delta_over_psi, equivalent[NUMBER_K_PSI],
-           equivalent[NUMBER_K_S], equivalent[NUMBER_K_D], equivalent[NUMBER_C_D], equivalent[NUMBER_C_PSI]);
-    return output_status(name);
-  }
+  if (libmlg_equivalent(a->layout, a->par, option[AT].value * degree, option[NEAR].value, equivalent, &mode) != 0)
+    fail(name, MLG_FAILED, "no oscillation of that size near %g Hz", option[NEAR].value);
+  printf("# psi deg; growth 1/s; frequency_hz Hz; k_psi, k_s, k_d N m/rad; c_d, c_psi N m s/rad\n"
+         "psi,growth,frequency_hz,delta_over_psi,k_psi,k_s,k_d,c_d,c_psi\n%.11g,%.11g,%.11g,%.11g,%.11g,%.11g,%.11g,%.11g,%.11g\n",
+         option[AT].value, mode.re, mode.frequency_hz, mode.delta_over_psi, equivalent[NUMBER_K_PSI],
+         equivalent[NUMBER_K_S], equivalent[NUMBER_K_D], equivalent[NUMBER_C_D], equivalent[NUMBER_C_PSI]);
+}
 
-  const int n = libmlg_balance(a.layout, a.par, option[LEAST].value * degree, option[MOST_PSI].value * degree, cycle, MOST);
+static int cycles_of(const struct arguments *a, const struct option option[], struct libmlg_balance cycle[], int *grows)
+{
+  const int n = libmlg_balance(a->layout, a->par, option[LEAST].value * degree, option[PSI_MOST].value * degree, cycle, MOST, grows);
 
   if (n < 0)
     fail(name, MLG_FAILED, "LAPACK failed");
+  return n;
+}
+
+static void print_cycles(const struct arguments *a, const struct option option[])
+{
+  struct libmlg_balance cycle[MOST];
+  int grows;
+  const int n = cycles_of(a, option, cycle, &grows);
+
   printf("# psi deg; dstar m; frequency_hz Hz\npsi,dstar,frequency_hz,stable\n");
+  if (grows)
+    printf("inf,,,\n");
   for (int i = 0; i < n; i++)
-    printf("%.11g,%.11g,%.11g,%d\n", cycle[i].psi / degree, cycle[i].psi * cycle[i].delta_over_psi * a.par[NUMBER_L_DELTA],
+    printf("%.11g,%.11g,%.11g,%d\n", cycle[i].psi / degree, cycle[i].psi * cycle[i].delta_over_psi * a->par[NUMBER_L_DELTA],
            cycle[i].frequency_hz, cycle[i].stable);
+}
+
+static void set_range(struct map *m, int k, int i)
+{
+  const struct range *r = &m->range[k];
+
+  m->value[k] = r->from + (r->to - r->from) * i / (r->n - 1);
+  retake_value(&m->a, r->text, strcspn(r->text, "="), m->value[k]);
+  if (libmlg_lacks(m->a.par))
+    fail(name, MLG_BAD_INPUT, "%s", libmlg_lacks(m->a.par));
+}
+
+/* The cycle by integration: from that of the point before, in proportion, or from afar;
+ * "": it is not periodic, or not yet. */
+static void print_by_integration(struct map *m, double guess)
+{
+  const double settle = m->option[SETTLE].value;
+  double start[LIBMLG_MOST_STATES] = { 0. };
+  struct libmlg_cycle c;
+  int found = -1;
+
+  if (m->psi > 0. && guess > 0.) {
+    for (int i = 0; i < libmlg_states(m->a.layout); i++)
+      start[i] = m->state[i] * fmin(guess / m->psi, 10.);
+    found = libmlg_cycle(&m->run, m->a.layout, m->a.par, start, settle, &c);
+  }
+  if (found != 0 || !(c.largest < 1.)) {
+    memset(start, 0, sizeof start);
+    start[PSI] = guess > 0. && isfinite(guess) ? fmin(1.2 * guess, 0.3) : 0.1;
+    found = libmlg_cycle(&m->run, m->a.layout, m->a.par, start, 5. * settle, &c);
+  }
+  if (found == 0) {
+    m->psi = guess;
+    memcpy(m->state, c.u, sizeof m->state);
+    printf(",%.6g,%.6g,%.4g", c.psi / degree, 1. / c.period, c.largest);
+  } else {
+    m->psi = 0.;
+    printf(",%s,,", strstr(c.why, "dies out") ? "0" : "");
+  }
+}
+
+static void print_map(struct map *m, int k)
+{
+  struct libmlg_balance cycle[MOST];
+  double psi = 0., hz = 0., threshold = 0.;
+  int n, grows;
+
+  if (k < m->ranges) {
+    m->psi = 0.;
+    for (int i = 0; i < m->range[k].n; i++) {
+      set_range(m, k, i);
+      print_map(m, k + 1);
+    }
+    return;
+  }
+  n = cycles_of(&m->a, m->option, cycle, &grows);
+  for (int i = 0; i < n; i++)
+    if (cycle[i].stable && !(psi > 0.)) {
+      psi = cycle[i].psi;
+      hz = cycle[i].frequency_hz;
+    } else if (!cycle[i].stable)
+      threshold = cycle[i].psi;
+  for (int i = 0; i < m->ranges; i++)
+    printf("%.10g,", m->value[i]);
+  if (grows)
+    printf("inf,,");
+  else
+    printf("%.6g,%.6g,", psi / degree, hz);
+  printf("%.6g", threshold / degree);
+  if (m->option[CYCLES].value > 0.)
+    print_by_integration(m, grows ? INFINITY : psi);
+  printf("\n");
+}
+
+static void add_range(struct map *m, const char *text)
+{
+  struct range *r = &m->range[m->ranges];
+  const char *equals = strchr(text, '=');
+  char rest;
+
+  if (m->ranges == MOST_RANGES)
+    refuse(name, text, "there are two ranges already");
+  *r = (struct range){ .text = text };
+  if (!equals || sscanf(equals + 1, "%lf:%lf:%d%c", &r->from, &r->to, &r->n, &rest) != 3 || !(r->from < r->to && isfinite(r->to))
+      || r->n < 2)
+    refuse(name, text, "expected NAME=FROM:TO:N, FROM below TO and N above 1");
+  take_value(&m->a, text, strcspn(text, "="), r->to);
+  m->ranges++;
+}
+
+static int joints(int argc, char *argv[])
+{
+  struct option option[] = {
+    { "psi_least", "deg", 1e-9, 90., 1e-3, NULL }, { "psi_most", "deg", 1e-9, 90., 30., NULL },
+    { "at", "deg", 1e-9, 90., 0., NULL }, { "near", "Hz", 1e-3, 1e4, 11., NULL },
+    { "cycles", "", 0., 1., 0., NULL }, { "settle", "s", 0., 1e6, 4., NULL }, { NULL, NULL, 0., 0., 0., NULL },
+  };
+  struct map m = { .option = option };
+
+  begin_arguments(&m.a, argc, argv, option);
+  for (int i = 2; i < argc; i++)
+    if (strchr(argv[i], ':'))
+      add_range(&m, argv[i]);
+    else
+      take_word(&m.a, argv[i]);
+  end_arguments(&m.a);
+  if (option[LEAST].value >= option[PSI_MOST].value)
+    refuse(name, option[PSI_MOST].word ? option[PSI_MOST].word : option[LEAST].word, "psi_most has to be above psi_least");
+  if (option[AT].word && m.ranges > 0)
+    refuse(name, option[AT].word, "is for one gear, not for a map");
+  if (option[AT].word)
+    print_equivalent(&m.a, option);
+  else if (m.ranges == 0)
+    print_cycles(&m.a, option);
+  else {
+    if (option[CYCLES].value > 0. && libmlg_run_begin(&m.run, m.a.layout, 1e-8) != 0)
+      fail(name, MLG_FAILED, "out of memory");
+    for (int k = 0; k < m.ranges; k++)
+      printf("%.*s,", (int)strcspn(m.range[k].text, "="), m.range[k].text);
+    printf("psi,frequency_hz,threshold%s\n", option[CYCLES].value > 0. ? ",psi_cycle,hz_cycle,multiplier" : "");
+    print_map(&m, 0);
+    libmlg_run_end(&m.run);
+  }
   return output_status(name);
 }
 
 const struct command command_joints = {
   .name = name,
-  .usage = "LAYOUT [at=DEGREES [near=HZ]] [psi_least=DEGREES psi_most=DEGREES] [NAME=VALUE ...]",
+  .usage = "LAYOUT [at=DEGREES [near=HZ]] [cycles=1 [settle=4]] [NAME=VALUE | NAME=FROM:TO:N ...]",
   .summary = "cycles of play, friction and a real damper, by describing functions",
   .details =
     "Each element with a law (g_psi, g_s, T_f, T_psi, c_2, T_max, k_s3, k_d3) is taken in\n"
@@ -56,11 +195,16 @@ const struct command command_joints = {
     "of a cycle; the gear itself is taken for linear, the motion for one harmonic\n"
     "(docs/joints.md says where that holds).\n"
     "\n"
-    "Prints CSV: the cycles with psi from psi_least (0.001 degrees) to psi_most (30), the\n"
+    "Prints CSV: the cycles with psi from psi_least= (0.001 degrees) to psi_most= (30), the\n"
     "largest first: psi deg, dstar m, frequency_hz, stable (1, 0): an unstable one is how\n"
-    "large a disturbance has to be.  None: straight rolling is reached from everywhere, or\n"
-    "from nowhere between these.\n"
+    "large a disturbance has to be; psi inf: an oscillation of psi_most grows. No row: from\n"
+    "everywhere between these straight rolling is reached, or from nowhere.\n"
     "at=DEGREES prints that linear gear for one amplitude and the mode near near= (11 Hz):\n"
-    "growth, 1/s, below 0 where it falls; frequency; k_psi, k_s, k_d, c_d, c_psi.\n",
+    "growth, 1/s, below 0 where it falls; frequency; k_psi, k_s, k_d, c_d, c_psi.\n"
+    "One or two ranges, N values in equal steps: a row for each: psi, frequency_hz of the\n"
+    "largest stable cycle (0: none, inf: it grows), threshold: psi of the smallest unstable\n"
+    "cycle (0: none). cycles=1: beside it psi_cycle, hz_cycle and multiplier of the cycle that\n"
+    "integration comes to (mlg cycle, rtol 1e-8), settle= seconds from the point before, five\n"
+    "times that from afar; 0: it dies out, empty: not periodic.\n",
   .run = joints,
 };
