@@ -196,7 +196,8 @@ parts_layouts := li3 li4 li5
 parts_certify := l1 l2 li1 li2
 parts_sections := past tori elsewhere
 parts_sweeps := load map hopf
-studies := damping transients layouts certify sections sweeps
+parts_joints := l1 l2 li1 li2 li3
+studies := damping transients layouts certify sections sweeps joints
 
 # A part of a figure's runs by itself, so that -j2 makes them side by side; the figure.
 define figure_rules
@@ -237,6 +238,7 @@ damping: ## least damping ratios of every layout, a minute (docs/damping.md)
 transients: ## peaks and settling times after a disturbance, four minutes more (docs/damping.md)
 sections: ## what follows past the torus points of Figure 6 (docs/simulate.md)
 sweeps: ## a million gears over load and tolerance, a map over (e, l), AUTO against the algebra; 15 minutes (docs/sweeps.md)
+joints: ## play, friction and real dampers, six minutes of CPU (docs/joints.md)
 certify: ## do oscillations reach into the zero-shimmy regions? (docs/certification.md)
 
 # --- drawings of the gear and of each layout, docs/drawings ------------------

@@ -99,13 +99,13 @@ static double _Complex characteristic_at(const struct libmlg_layout *l, const do
   return poly_value(&Z.den, s) * whole + poly_value(&Z.num, s) * (A11 * tyre + Ls * g.D1);
 }
 
-/* The eigenvalue that Newton's method finds from s on; 0 where it finds none. */
-static double _Complex eigenvalue_from(const struct libmlg_layout *l, const double slots[], double _Complex s)
+/* The eigenvalue to which so many steps of Newton's method lead from s; 0: to none. */
+static double _Complex eigenvalue_from(const struct libmlg_layout *l, const double slots[], double _Complex s, int steps)
 {
-  for (int i = 0; i < 50; i++) {
+  for (int i = 0; i < steps; i++) {
     const double h = 1e-6 * cabs(s);
     const double _Complex F = characteristic_at(l, slots, s);
-    const double _Complex slope = (characteristic_at(l, slots, s + h) - characteristic_at(l, slots, s - h)) / (2. * h);
+    const double _Complex slope = (characteristic_at(l, slots, s + h) - F) / h;
     const double _Complex step = F / slope;
 
     if (!isfinite(creal(step)) || !isfinite(cimag(step)))
@@ -138,7 +138,7 @@ int libmlg_equivalent(int layout, const double par[], double psi, double near_hz
     const double _Complex before = s;
     double change = 0.;
 
-    s = eigenvalue_from(l, p, s);
+    s = eigenvalue_from(l, p, s, i == 0 ? 50 : 1); /* converges with the elements */
     if (!(cimag(s) > 1e-3))
       return LIBMLG_FAILED;
     p[PAR_C_PSI] = slots[PAR_C_PSI] + (slots[PAR_T_PSI] > 0. ? mean_of(mlg_wheel_friction, slots, cimag(s) * psi) : 0.);
@@ -152,7 +152,7 @@ int libmlg_equivalent(int layout, const double par[], double psi, double near_hz
         change = fmax(change, fabs(log(next / p[slot])));
         p[slot] = next;
       }
-    if (change < 1e-10 && cabs(s - before) < 1e-10 * cabs(s))
+    if (change < 1e-9 && cabs(s - before) < 1e-10 * cabs(s))
       break;
   }
   *mode = (struct libmlg_mode){
@@ -200,6 +200,8 @@ static int follow(int layout, const double par[], double hz, double psi_least, d
       at = here;
       const double root = root_between(layout, par, next, psi, growth, here.frequency_hz, &at);
 
+      if (fabs(at.re) > 1e-3 * fabs(here.re - growth))
+        break; /* it was another mode's */
       cycle[n++] = (struct libmlg_balance){ root, at.frequency_hz, at.delta_over_psi, growth < 0. };
     }
     psi = next;

@@ -12,7 +12,7 @@ static const double degree = MLG_PI / 180.;
 
 enum { LEAST, PSI_MOST, AT, NEAR, CYCLES, SETTLE, MOST_RANGES = 2, MOST = 32 };
 
-/* NAME=FROM:TO:N, N values in equal steps. */
+/* NAME=FROM:TO:N, N values in equal steps, over a factor of 50 and more in equal ratios. */
 struct range { const char *text; double from, to; int n; };
 
 struct map {
@@ -65,7 +65,9 @@ static void set_range(struct map *m, int k, int i)
 {
   const struct range *r = &m->range[k];
 
-  m->value[k] = r->from + (r->to - r->from) * i / (r->n - 1);
+  const double t = (double)i / (r->n - 1);
+
+  m->value[k] = r->from > 0. && r->to / r->from >= 50. ? r->from * pow(r->to / r->from, t) : r->from + (r->to - r->from) * t;
   retake_value(&m->a, r->text, strcspn(r->text, "="), m->value[k]);
   if (libmlg_lacks(m->a.par))
     fail(name, MLG_BAD_INPUT, "%s", libmlg_lacks(m->a.par));
@@ -201,7 +203,8 @@ const struct command command_joints = {
     "everywhere between these straight rolling is reached, or from nowhere.\n"
     "at=DEGREES prints that linear gear for one amplitude and the mode near near= (11 Hz):\n"
     "growth, 1/s, below 0 where it falls; frequency; k_psi, k_s, k_d, c_d, c_psi.\n"
-    "One or two ranges, N values in equal steps: a row for each: psi, frequency_hz of the\n"
+    "One or two ranges, N values in equal steps, or in equal ratios where TO is at least 50\n"
+    "FROM > 0: a row for each: psi, frequency_hz of the\n"
     "largest stable cycle (0: none, inf: it grows), threshold: psi of the smallest unstable\n"
     "cycle (0: none). cycles=1: beside it psi_cycle, hz_cycle and multiplier of the cycle that\n"
     "integration comes to (mlg cycle, rtol 1e-8), settle= seconds from the point before, five\n"
