@@ -195,7 +195,7 @@ parts_transients := paper best
 parts_layouts := li3 li4 li5
 parts_certify := l1 l2 li1 li2
 parts_sections := past tori elsewhere
-parts_sweeps := load map hopf
+parts_sweeps := load map play hopf
 parts_joints := l1 l2 li1 li2 li3
 studies := damping transients layouts certify sections sweeps joints
 

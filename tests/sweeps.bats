@@ -405,7 +405,7 @@ study_functions() {
 }
 
 @test "the tables of record, by cases chosen at random" {
-  local row layout k_s b e l c_d zeta load
+  local row layout k_s b e l c_d zeta load g T psi
   # shellcheck disable=SC1090 # they are in the study
   . <(study_functions)
   while IFS=, read -r layout k_s b e l c_d zeta _; do
@@ -413,6 +413,9 @@ study_functions() {
     near "$(cell zeta damping "$layout" best k_s="$k_s" b="$b" e="$e" l="$l")" "$zeta" 1e-5 "its zeta"
   done < <(grep '^l' "$ROOT/results/sweeps_map.csv" | sed 1d | shuf -n 4)
   [ "$(grep -c '^l[1i]' "$ROOT/results/sweeps_map.csv")" -ge 1900 ]
+
+  IFS=, read -r g T psi _ < <(grep '^0' "$ROOT/results/sweeps_play.csv" | shuf -n 1)
+  near "$(cell psi_max cycle l1 V=20 c_d=2886.7 g_psi="$g" T_f="$T" v_f=0.01 psi=0.05)" "$psi" 1e-6 "psi_max at g_psi = $g, T_f = $T"
 
   row=$(grep '^l[12i]' "$ROOT/results/sweeps.csv" | shuf -n 1)
   IFS=, read -r layout load _ <<< "$row"

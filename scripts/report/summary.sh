@@ -10,7 +10,7 @@ alone results
 export MLG_USES=${MLG_USES:-/dev/null}
 # what make figures only carries on
 for study in verify=verification damping=damping certify={certify,criticality,cycles,folds} transients=transients \
-  layouts={layouts,layouts_branches,layouts_planes} sections={sections,tori} sweeps={sweeps,sweeps_map,sweeps_hopf}; do
+  layouts={layouts,layouts_branches,layouts_planes} sections={sections,tori} sweeps={sweeps,sweeps_map,sweeps_play,sweeps_hopf}; do
   is_known "results/${study#*=}.csv" || put_back "results/${study#*=}.csv" ||
     fail "results/${study#*=}.csv is neither what was made here nor what is committed: make ${study%=*}, or git checkout results/${study#*=}.csv"
 done

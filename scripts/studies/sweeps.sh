@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Three sweeps of use, and one that holds AUTO against the algebra (docs/sweeps.md)
 #
-#   scripts/studies/sweeps.sh [runs [load | map | hopf] | tables | draw]
+#   scripts/studies/sweeps.sh [runs [load | map | play | hopf] | tables | draw]
 #
 # Writes: results/sweeps.csv (load x tolerance x layout), sweeps_map.csv (zeta over e and l),
-#         sweeps_hopf.csv (AUTO and the algebra), results/sweeps.png and .svg; build/sweeps
+#         sweeps_play.csv (shimmy with play and friction), sweeps_hopf.csv (AUTO and the algebra),
+#         results/sweeps.png and .svg; build/sweeps
 # Expect: at the paper's load no c_d keeps more than 45 % (L1) to 53 % (LI2) of the gears within
 #         10 % of the drawing free of shimmy, at 0.7 of it nearly all.
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
@@ -13,6 +14,7 @@ sweep() { scripts/sweep.sh run "constants/sweeps/$1.sweep" || exit $?; }
 
 runs_load() { sweep load; }
 runs_map() { sweep map; }
+runs_play() { sweep play; }
 runs_hopf() { sweep hopf; }
 
 answers() { # NAME: rows of a sweep's table, names first
@@ -36,6 +38,14 @@ tables() {
     "# zeta: the least of all oscillations at V = 0.3 to 200 m/s there, below 0 with shimmy; V m/s, where; shimmy: the mode." \
     layout,k_s,b,e,l,c_d,zeta,V,shimmy
   answers map | sed 1d | cut -d , -f 2- >> "$table.new"
+  end_table
+
+  begin_table results/sweeps_play.csv \
+    "# Shimmy that play keeps alive, layout L1 at V = 20 m/s and c_d = 2886.7 N m s/rad (constants/sweeps/play.sweep). g_psi rad:" \
+    "# half-width of the play of the torque links; T_f N m: friction of the damper; psi_max deg, dstar_max m, frequency_hz of the" \
+    "# periodic orbit that a start of 0.05 rad leads to; maxima of psi in a period; multiplier: the largest but the trivial one." \
+    g_psi,T_f,psi_max,dstar_max,frequency_hz,maxima,multiplier
+  answers play | sed 1d | cut -d , -f 2- >> "$table.new"
   end_table
 
   begin_table results/sweeps_hopf.csv \
