@@ -1,4 +1,5 @@
-# pages.bats - build/results.html in headless Chromium; make check-pages runs it
+# pages.bats - build/results.html and the page of a study in headless Chromium; make check-pages
+# runs it
 
 bats_require_minimum_version 1.5.0
 
@@ -66,4 +67,17 @@ is() { # NAME VALUE: of the last measurement
   [ "$(value overflow)" -gt 0 ]
   [ "$(value empty)" -gt 0 ]
   is lost 1
+}
+
+@test "the page of a study, at both widths: whole, without overflow, nothing beside it" {
+  local width study=$BATS_TEST_DIRNAME/../../build/studies/page/report.html
+  scripts/study.sh page layouts=l1,li1
+  run -1 grep -n -i -o -E '<(script|link|iframe)|(src|srcset)="[^d][^"]{0,60}|url\(|@import' "$study"
+  for width in 390 1280; do
+    measure "$(realpath "$study")" $width
+    is overflow 0
+    is images "$(grep -o '!\[[^]]*\](' build/studies/page/report.md | wc -l)"
+    is broken 0
+    is tables "$(grep -c '^|---' build/studies/page/report.md)"
+  done
 }
