@@ -270,7 +270,7 @@ test-set-up: build/auto.mk
 
 test-programs: $(models) build/bin/mlg $(libraries) $(tests) $(layout_tests) $(oracles)
 
-check-pages: page ## the page in headless Chromium, at the widths of a phone and of a desk
+check-pages: page ## the page and a study's in headless Chromium, at the widths of a phone and of a desk
 	@scripts/setup.sh pages
 	@bats tests/pages
 

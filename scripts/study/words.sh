@@ -75,7 +75,8 @@ margin_words() { # C_D LO HI
     less = 100 * (1 - lo / c)
     if (hi == "inf") printf "c_d may be %.2g %% less, and as much more as one likes", less
     else printf "c_d may be %.2g %% less or %.2g %% more", less, 100 * (hi / c - 1)
-    if (less < 5 || (hi != "inf" && hi / c < 1.05)) printf ", which is **tight**: the middle of the interval, c_d = %.4g, is damped less but forgives more", \
+    if (hi != "inf" && lo > 0 && hi / lo < 1.1) printf ", for the whole interval is **narrow**"
+    else if (less < 5 || (hi != "inf" && hi / c < 1.05)) printf ", which is **tight**: the middle of the interval, c_d = %.4g, is damped less but forgives more", \
       (hi == "inf" ? 2 * lo : lo > 0 ? sqrt(lo * hi) : hi / 2)
   }'
 }
