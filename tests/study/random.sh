@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # random.sh - studies of random gears: none fails, and the eigenvalues contradict none
 #
-#   tests/study/random.sh [N [SEED]]      10 gears; make study-check
+#   tests/study/random.sh [N [SEED [exact]]]   10 gears, without AUTO where exact; make study-check
 #
 # Each parameter of the paper's gear times 2^(-0.7..0.7); e of either sign; every fifth gear
 # has phi = 0.  Every interval of designs.csv: by build/bin/eigen-LAYOUT (differences of the
@@ -12,7 +12,7 @@
 # Writes  build/studies/random-SEED-*, and removes those that are right
 . "$(dirname "$(realpath "$0")")/../../scripts/auto/lib.sh"
 
-n=${1:-10} seed=${2:-1} wrong=0 asked=0 made=0 failed=0
+n=${1:-10} seed=${2:-1} how=(${3:+exact}) wrong=0 asked=0 made=0 failed=0
 
 gear() { # NUMBER
   awk -F, -v seed="$((1000 * seed + $1))" '
@@ -72,7 +72,7 @@ mlg gearinfo > "$folder/paper.csv"
 for ((i = 1; i <= n; i++)); do
   name=random-$seed-$i file=$folder/gear.$i
   gear "$i" > "$file"
-  if scripts/study.sh "$name" gear="$file" layouts=l1,li2 V_top="$top" > "$folder/$i.log" 2>&1 && [ -s "build/studies/$name/report.html" ]; then
+  if scripts/study.sh "$name" gear="$file" layouts=l1,li2 V_top="$top" "${how[@]}" > "$folder/$i.log" 2>&1 && [ -s "build/studies/$name/report.html" ]; then
     before=$wrong
     check
     runs=$(find "build/studies/$name/runs" -mindepth 1 -maxdepth 1 -type d | wc -l) bad=$(($(wc -l < "build/studies/$name/failures.csv") - 1))
