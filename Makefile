@@ -197,7 +197,8 @@ parts_certify := l1 l2 li1 li2
 parts_sections := past tori elsewhere
 parts_sweeps := load map play hopf
 parts_joints := l1 l2 li1 li2 li3
-studies := damping transients layouts certify sections sweeps joints
+parts_doubts := zB_shared R_moves heading I_p tyre
+studies := damping transients layouts certify sections sweeps joints doubts
 
 # A part of a figure's runs by itself, so that -j2 makes them side by side; the figure.
 define figure_rules
@@ -239,6 +240,7 @@ transients: ## peaks and settling times after a disturbance, four minutes more (
 sections: ## what follows past the torus points of Figure 6 (docs/simulate.md)
 sweeps: ## a million gears over load and tolerance, a map over (e, l), AUTO against the algebra; 15 minutes (docs/sweeps.md)
 joints: ## play, friction and real dampers, six minutes of CPU (docs/joints.md)
+doubts: ## what the results hang on: the model's choices, another tyre (docs/doubts.md)
 certify: ## do oscillations reach into the zero-shimmy regions? (docs/certification.md)
 
 # --- drawings of the gear and of each layout, docs/drawings ------------------

@@ -13,7 +13,7 @@
 #include "jacobian.h"
 
 #ifdef MLG_APART
-#define mlg_slopes(par, u, f, by_parameters, E) mlg_slopes_apart(par, u, f, by_parameters, E)
+#define mlg_slopes(par, u, f, parameters, E) mlg_slopes_apart(par, u, f, parameters, E)
 #endif
 
 /* The device by itself: its torque in the place of psi'', and its rates. */
@@ -106,17 +106,18 @@ static inline void settle_device(const struct inverse *m, double df[NDIM])
 
 /* Derivatives of f at u, where f is right_hand_side():
  *   dfdu[j * NDIM + i] = d f_i / d u_j
- *   dfdp[j * NDIM + i] = d f_i / d par[j], unless NULL; of AUTO's parameters none
+ *   dfdp[j * NDIM + i] = d f_i / d par[j], unless NULL; of AUTO's parameters none, and
+ *   0 for the doubts when by_doubts is 0 and none acts, which takes half the time
  * The gear's are exact, and so are those of a linear device; those by its parameters and
  * of a device with laws are differences. */
-static inline void derivatives(const double par[], const double u[], const double f[], double dfdu[],
-                               double dfdp[])
+static inline void some_derivatives(const double par[], const double u[], const double f[], double dfdu[],
+                                    double dfdp[], int by_doubts)
 {
   struct mlg_slopes E;
   const int laws = mlg_has_laws(par);
   double p[MLG_SLOTS];
 
-  mlg_slopes(par, u, f, dfdp != NULL, &E);
+  mlg_slopes(par, u, f, dfdp == NULL ? 0 : by_doubts ? 2 : 1, &E);
   const struct inverse m = inverse(&E);
   for (int j = 0; j < NDIM; j++) {
     double unit[NDIM] = { 0. }, *df = dfdu + j * NDIM;
@@ -146,6 +147,13 @@ static inline void derivatives(const double par[], const double u[], const doubl
       settle_device(&m, df);
     }
   }
+}
+
+/* All of them. */
+static inline void derivatives(const double par[], const double u[], const double f[], double dfdu[],
+                               double dfdp[])
+{
+  some_derivatives(par, u, f, dfdu, dfdp, 1);
 }
 
 /* How far derivatives() are from differences of right_hand_side() at some state,

@@ -67,10 +67,13 @@ w = RAKE * (bending + BENDING * torsion)                                      # 
 
 
 def kinetic_energy():
-    """(2), (11), (12): the energies of bending and of torsion, each by itself"""
+    """(2), (11), (12): the energies of bending and of torsion, each by itself; and, a
+    doubt, of the wheels, which turn about their axle with -V/R and with what the gear
+    turns about it, what is linear in both"""
     J = sympy.diag(par['J_xi'], par['J_eta'], par['J_zeta'])
     turning = [TORSION.T * bending, torsion]                                  # in body axes
-    return (par['m_D'] * v_D.dot(v_D) + sum(v.dot(J * v) for v in turning)) / 2
+    wheels = -par['I_p'] * par['V'] / par['R'] * sum(v[1] for v in turning)
+    return (par['m_D'] * v_D.dot(v_D) + sum(v.dot(J * v) for v in turning)) / 2 + wheels
 
 
 def body():
@@ -88,27 +91,47 @@ def body():
 # contact point's place in the gear is held where its motion is derived.
 mu, R_i, X, Y, Z = symbols('mu R_i X Y Z')
 theta, alpha, T, grip, Lambda, C = symbols('theta alpha T grip Lambda C')
-ddzB_i, F_z = symbols('ddzB_i F_z')
+ddzB_held, ddzB_R, ddzB_own, ddzB_i, F_z = symbols('ddzB_held ddzB_R ddzB_own ddzB_i F_z')
 contact = in_space([X, Y, Z])                                                 # (18), (20)
+bent = -par['heading'] * s * delta                                            # a doubt
 WHEEL = {
     mu: asin(s * sin(psi) + c * sin(delta) * cos(psi)),                       # (16)
     R_i: par['R'] - Rational(2, 10) * side * par['a'] * mu / 2,               # (19)
     X: -(par['e'] + R_i * s), Y: side * par['a'] / 2, Z: par['l_delta'] + R_i * c,
-    theta: psi * c * cos(delta),                                              # (14)
+    theta: psi * c * cos(delta) + bent,                                       # (14)
     alpha: atan(lam / par['l']), T: atan(7 * lam / par['l']),
     Lambda: par['k_lambda'] * T * cos(Rational(95, 100) * T),                 # (25)
     grip: sympy.Piecewise((1, abs(alpha) <= par['alpha_m']), (0, True)),
     C: grip * par['k_alpha'] * par['alpha_m'] / pi * sin(pi * alpha / par['alpha_m']),  # (26)
-    ddzB_i: rate(rate(contact[2])),                                           # (23), (24)
-    F_z: (side * par['a'] * mu * par['k_t'] + par['m_D'] * (ddzB_i - rate(rate(r_D[2])))
+}
+
+
+def moving_radius():
+    """What (23), (24) have more in zB'' when R_i is differentiated too, a doubt: z is
+    linear in R_i"""
+    z_R = sum(diff(contact[2], x) * diff(WHEEL[x], R_i) for x in (X, Z))
+    radius = WHEEL[R_i].subs(mu, WHEEL[mu])
+    return z_R * rate(rate(radius)) + 2 * rate(z_R) * rate(radius)
+
+
+# zB'' of the wheel; then what is in F_z for it, where ddzB is the mean of both wheels
+ddzB_out = par['N12_out'] * diff(rate(rate(r_D[2])), dddelta) * dddelta       # a doubt
+WHEEL.update({
+    ddzB_held: rate(rate(contact[2])), ddzB_R: moving_radius(),               # (23), (24)
+    ddzB_own: ddzB_held + par['R_moves'] * ddzB_R,
+})
+LOAD = {
+    ddzB_i: ddzB_own + par['zB_shared'] * (ddzB - ddzB_own),
+    F_z: (side * par['a'] * mu * par['k_t']
+          + par['m_D'] * (ddzB_i - rate(rate(r_D[2])) + ddzB_out)
           + (par['m_D'] + par['M']) * par['g']) / 2,                          # (34)-(36)
 }
 
 
-def wheel():
+def wheel(load=F_z):
     """What a wheel adds to body(): its forces by their virtual work (13)-(17), (21)"""
     force = Matrix([-Lambda * sin(theta), Lambda * cos(theta), -1])           # per F_z
-    return [-F_z * (force.dot(contact.diff(q)) - C * diff(w[2], dq))
+    return [-load * (force.dot(contact.diff(q)) - C * diff(w[2], dq))
             for q, dq in coordinates.items()]
 
 
@@ -161,6 +184,10 @@ struct mlg_slopes {{
   double state[GEAR_STATES][MLG_EQUATIONS];
   double parameter[MLG_SLOTS][MLG_EQUATIONS];
 }};
+
+/* How a shared zB'' ties a wheel to the other: the mean zB'' less its own, m/s^2; and the
+ * mean of what zB'' has for weight in E, N s^2 and so on, less its own. */
+struct mlg_sharing {{ double z, delta, psi; }};
 """
 
 FUNCTION = """
@@ -173,7 +200,35 @@ static inline void {name}(const double par[], const double u[], const double du[
 """
 
 TAIL = """
-/* All slopes at the states u with their rates du; those by parameters if asked for. */
+/* Whether any of the doubts acts. */
+static inline int mlg_doubted(const double par[])
+{
+  return par[PAR_ZB_SHARED] != 0. || par[PAR_R_MOVES] != 0. || par[PAR_HEADING] != 0. || par[PAR_I_P] != 0.
+         || par[PAR_N12_OUT] != 0.;
+}
+
+/* Those of the doubts. */
+static inline void mlg_slopes_of_doubts(const double par[], const double u[], const double du[],
+                                        const struct mlg_pose *p, int parameters, struct mlg_slopes *E)
+{
+  const double weight = 0.5 * par[PAR_M_D] * par[PAR_ZB_SHARED];
+  struct mlg_contact w[2];
+  double ddzB[2];
+
+  for (int i = 0; i < 2; i++) {
+    w[i] = mlg_contact(par, u, p, 2. * i - 1., u[LAMBDA_L + i]);
+    ddzB[i] = w[i].zB_delta * du[DDELTA] + w[i].zB_psi * du[DPSI] + w[i].ddzB;
+  }
+  for (int i = 0; i < 2; i++) {
+    const struct mlg_sharing share = { 0.5 * (ddzB[!i] - ddzB[i]), weight * 0.5 * (w[!i].Q_delta - w[i].Q_delta),
+                                       weight * 0.5 * (w[!i].Q_psi - w[i].Q_psi) };
+
+    mlg_slopes_doubts(par, u, du, p, i, &share, parameters, E);
+  }
+}
+
+/* All slopes at the states u with their rates du; those by parameters if asked for: 1,
+ * without those by the doubts while none of these acts, or 2, all. */
 static inline void mlg_slopes(const double par[], const double u[], const double du[],
                               int parameters, struct mlg_slopes *E)
 {
@@ -183,6 +238,8 @@ static inline void mlg_slopes(const double par[], const double u[], const double
   mlg_slopes_body(par, u, du, &p, parameters, E);
   for (int wheel = 0; wheel < 2; wheel++)
     mlg_slopes_wheel(par, u, du, &p, wheel, parameters, E);
+  if (parameters > 1 || mlg_doubted(par))
+    mlg_slopes_of_doubts(par, u, du, &p, parameters, E);
 }
 
 #endif"""
@@ -197,6 +254,8 @@ POSE = {f: symbols(name) for f, name in {
     s: 's', c: 'c', sin(delta): 'sin_delta', cos(delta): 'cos_delta', sin(psi): 'sin_psi',
     cos(psi): 'cos_psi', sin(theta): 'sin_theta', cos(theta): 'cos_theta'}.items()}
 LOCAL.update({x: f'p->{x}' for x in [*POSE.values(), mu]})
+share_z, share_delta, share_psi = symbols('share_z share_delta share_psi')
+LOCAL.update({share_z: 'share->z', share_delta: 'share->delta', share_psi: 'share->psi'})
 
 
 class Printer(C11CodePrinter):
@@ -212,6 +271,13 @@ class Printer(C11CodePrinter):
             return f'1.0/sqrt({self._print(base)})'
         return super()._print_Pow(expr)
 
+    def _print_Mul(self, expr):
+        below = [x for x in expr.args if x.is_Pow and x.exp.is_Integer and x.exp < -1]
+        if not below:
+            return super()._print_Mul(expr)
+        above = self.parenthesize(expr.func(*(x for x in expr.args if x not in below)), PRECEDENCE['Mul'])
+        return '*'.join([above, *(self._print_Pow(x) for x in below)])
+
     def _print_Pi(self, expr):
         return 'MLG_PI'
 
@@ -224,10 +290,11 @@ def c_assignment(left, value):
                          subsequent_indent='      ', break_long_words=False, break_on_hyphens=False)
 
 
-def c_function(name, comment, gear, rows, steps, argument=''):
+def c_function(name, comment, gear, rows, steps, argument='', more=None):
     """C that adds d(row)/d(input) of each of rows {slot: expression} to E. The
     inputs are states, accelerations and the parameters gear. Of the steps {symbol:
-    expression} to the rows the slopes are carried through."""
+    expression} to the rows the slopes are carried through. more: {(slot, input):
+    what comes to that slope}."""
     places = {**{x: f'state[{slot}]' for x, slot in STATES.items()}, lam: 'state[LAMBDA_L + wheel]',
               **{x: str(x) for x in (dddelta, ddpsi)},
               **{x: f'parameter[{PARAMETERS[str(x)]}]' for x in gear}}
@@ -242,6 +309,7 @@ def c_function(name, comment, gear, rows, steps, argument=''):
     for y in places:
         for slot, row in rows.items():
             value = diff(row, y) + sum(diff(row, x) * slope.get((x, y), 0) for x in steps)
+            value += (more or {}).get((slot, y), 0)
             if value != 0:
                 targets.append((f'E->{places[y]}[{slot}] +=', y in gear, value))
 
@@ -282,20 +350,57 @@ def tidy(expression):
     return sympy.expand(sympy.expand(expression).subs(ones))
 
 
+DOUBTS = [par[name] for name in ('zB_shared', 'R_moves', 'heading', 'I_p', 'N12_out')]
+
+
+def undoubted(expression):
+    return expression.subs({x: 0 for x in DOUBTS})
+
+
+def sharing():
+    """What the doubts but heading add to a wheel's rows. Sharing zB'' makes each row
+    depend on both wheels, by factor (mean zB'' - own zB'') Q of each: share_z is that
+    difference, share_delta and share_psi factor (mean Q - own Q), as numbers."""
+    spin = [(row - row.subs(par['I_p'], 0)) / 2 for row in map(tidy, body())]
+    load = par['m_D'] * (par['R_moves'] * ddzB_R + par['zB_shared'] * share_z + ddzB_out) / 2
+    mean = [diff(tidy(whole), ddzB) * par['R_moves'] * ddzB_R / 2 for whole in body()]
+    return [row + whole + ddzB_own * share + half
+            for row, whole, share, half in zip(wheel(load), mean, (share_delta, share_psi), spin)]
+
+
+def used(parameters, *expressions):
+    free = set().union(*(x.free_symbols for x in expressions))
+    return [x for x in parameters if x in free]
+
+
 def header():
-    strut = [tidy(row) for row in body()]
+    whole = [tidy(row) for row in body()]
+    strut = [undoubted(row) for row in whole]
     # zB'' is the mean of the two wheels'
-    share = [row + diff(whole, ddzB) * ddzB_i / 2 for row, whole in zip(wheel(), strut)]
-    dlambda = stretched_string()
-    strut = [whole.subs(ddzB, 0) for whole in strut]
-    free = set().union(*(x.free_symbols for x in [*strut, *share, dlambda, *WHEEL.values()]))
-    gear = [x for x in par.values() if x in free]
-    print(HEAD.format(sympy=sympy.__version__, slots='\n'.join(f'  case {PARAMETERS[str(x)]}:' for x in gear))
+    share = [row + diff(both, ddzB) * ddzB_i / 2 for row, both in zip(wheel(), strut)]
+    strut = [row.subs(ddzB, 0) for row in strut]
+    string = undoubted(stretched_string())
+    shown = [x for x in WHEEL if x not in (ddzB_held, ddzB_R, ddzB_own)]
+    steps = {**{x: undoubted(WHEEL[x]) for x in shown},
+             ddzB_i: WHEEL[ddzB_held], F_z: undoubted(LOAD[F_z])}
+    gear = used(par.values(), *strut, *share, string, *steps.values())
+
+    rows = ['E_DELTA', 'E_PSI', 'E_LAMBDA_L + wheel']
+    shared = [*sharing(), stretched_string() - string]
+    in_steps = {**steps, **WHEEL}
+    # heading turns theta in what there is without doubts
+    turned = {(slot, y): diff(row, theta) * diff(bent, y)
+              for slot, row in zip(rows, [*wheel(), string]) for y in (delta, par['phi'], par['heading'])}
+    gear_or_doubt = used(par.values(), *strut, *share, string, *steps.values(), *DOUBTS)
+
+    print(HEAD.format(sympy=sympy.__version__, slots='\n'.join(f'  case {PARAMETERS[str(x)]}:' for x in gear_or_doubt))
           + c_function('mlg_slopes_body', 'The strut and the bending part, without ground contact.', gear,
-                       {'E_DELTA': strut[0], 'E_PSI': strut[1]}, {})
+                       dict(zip(rows, strut)), {})
           + c_function('mlg_slopes_wheel', 'One wheel, 0 left, 1 right.', gear,
-                       {'E_DELTA': share[0], 'E_PSI': share[1], 'E_LAMBDA_L + wheel': dlambda}, WHEEL,
-                       'int wheel, ')
+                       dict(zip(rows, [*share, string])), steps, 'int wheel, ')
+          + c_function('mlg_slopes_doubts', 'What the doubts add at one wheel.', gear_or_doubt,
+                       dict(zip(rows, shared)), in_steps,
+                       'int wheel, const struct mlg_sharing *share, ', turned)
           + TAIL)
 
 

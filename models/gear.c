@@ -11,8 +11,8 @@ void mlg_gear_apart(const double par[], const double u[], double T_d, double du[
   mlg_gear(par, u, T_d, du);
 }
 
-void mlg_slopes_apart(const double par[], const double u[], const double f[], int by_parameters,
+void mlg_slopes_apart(const double par[], const double u[], const double f[], int parameters,
                       struct mlg_slopes *E)
 {
-  mlg_slopes(par, u, f, by_parameters, E);
+  mlg_slopes(par, u, f, parameters, E);
 }

@@ -9,7 +9,7 @@ struct mlg_slopes;
 
 /* mlg_gear() of mlg.h and mlg_slopes() of jacobian.h. */
 void mlg_gear_apart(const double par[], const double u[], double T_d, double du[]);
-void mlg_slopes_apart(const double par[], const double u[], const double f[], int by_parameters,
+void mlg_slopes_apart(const double par[], const double u[], const double f[], int parameters,
                       struct mlg_slopes *E);
 
 #endif

@@ -77,7 +77,14 @@
   X(44, T_MAX,   "T_max",   "N m",            0.0,    0., 1e9,       "torque at which the damper's relief valve opens; 0: it has none") \
   X(45, C_R,     "c_r",     "N m s/rad",      0.0,    0., 1e9,       "damping of the open relief valve") \
   X(46, K_S3,    "k_s3",    "N m/rad^3",      0.0,    0., 1e15,      "cubic stiffness of k_s") \
-  X(47, K_D3,    "k_d3",    "N m/rad^3",      0.0,    0., 1e15,      "cubic stiffness of k_d")
+  X(47, K_D3,    "k_d3",    "N m/rad^3",      0.0,    0., 1e15,      "cubic stiffness of k_d") \
+  /* Choices in the model that the paper's results hang on (docs/doubts.md): 0 is the
+   * paper, 1 the other one, between them a blend; I_p is an inertia. */         \
+  X(48, ZB_SHARED, "zB_shared", "-",          0.0,    0., 1.,        "1: one zB'' for both wheels in F_z, the mean") \
+  X(49, R_MOVES,  "R_moves", "-",             0.0,    0., 1.,        "1: R_i differentiated in the ground contact") \
+  X(50, HEADING,  "heading", "-",             0.0,    0., 1.,        "1: theta with the term -delta sin(phi)") \
+  X(51, I_P,      "I_p",     "kg m^2",        0.0,    0., 1e6,       "polar inertia of the wheels, both together") \
+  X(52, N12_OUT,  "N12_out", "-",             0.0,    0., 1.,        "1: F_z without N12_z delta''")
 
 /* Results that pvls computes at every point; list them in ICP to see them. */
 #define MLG_RESULTS(X)                                                         \
@@ -204,33 +211,60 @@ static inline struct mlg_pose mlg_pose(const double par[], const double u[])
     .sin_delta = sin(u[DELTA]), .cos_delta = cos(u[DELTA]),
     .sin_psi = sin(u[PSI]), .cos_psi = cos(u[PSI]),
   };
-  const double theta = u[PSI] * p.c * p.cos_delta;
+  const double bent = par[PAR_HEADING] * p.s; /* doubt: theta turns with -delta sin(phi) too */
+  const double theta = u[PSI] * p.c * p.cos_delta - bent * u[DELTA];
 
   p.sin_theta = sin(theta);
   p.cos_theta = cos(theta);
-  p.dtheta = p.c * (u[DPSI] * p.cos_delta - u[PSI] * p.sin_delta * u[DDELTA]);
+  p.dtheta = p.c * (u[DPSI] * p.cos_delta - u[PSI] * p.sin_delta * u[DDELTA]) - bent * u[DDELTA];
   /* the argument is a component of a unit vector: only rounding can carry it past 1 */
   p.mu = asin(fmax(-1., fmin(1., p.s * p.sin_psi + p.c * p.sin_delta * p.cos_psi)));
   return p;
 }
 
 /* Ground contact of one wheel.  Its vertical force F_z depends on the
- * accelerations: F_z = F_0 + F_delta delta'' + F_psi psi''. */
+ * accelerations: F_z = F_0 + F_delta delta'' + F_psi psi''; and so does zB''. */
 struct mlg_contact {
   double x_delta, y_delta, z_delta; /* d(contact point)/d delta, m/rad */
   double x_psi, y_psi, z_psi;       /* d(contact point)/d psi, m/rad */
-  double ddzB;                      /* zB'' but for its terms in delta'' and psi'', m/s^2 */
+  double zB_delta, zB_psi, ddzB;    /* zB'' = zB_delta delta'' + zB_psi psi'' + ddzB, m/s^2 */
   double F_0, F_delta, F_psi;       /* N, N s^2/rad, N s^2/rad */
   double Q_delta, Q_psi;            /* generalised force per F_z, N_5 of (32), (33), m */
 };
 
-/* side = -1 left, +1 right; lambda is that tyre's deflection. */
+/* Doubt: adds to the wheel's zB'' what R_i (19) does there when it is differentiated too,
+ * z_R R'' + 2 (dz_R/dt) R', times R_moves. */
+static inline void mlg_moving_radius(const double par[], const double u[], const struct mlg_pose *p,
+                                     double side, struct mlg_contact *w)
+{
+  const double s = p->s, c = p->c, ddelta = u[DDELTA], dpsi = u[DPSI];
+  /* n = sin(mu) and its derivatives; cos(mu) is 0 where the axle stands upright */
+  const double n = p->s * p->sin_psi + p->c * p->sin_delta * p->cos_psi;
+  const double n_delta = c * p->cos_delta * p->cos_psi;
+  const double n_psi = s * p->cos_psi - c * p->sin_delta * p->sin_psi;
+  const double dn = n_delta * ddelta + n_psi * dpsi;
+  const double ddn = -c * p->sin_delta * p->cos_psi * ddelta * ddelta
+                     - 2. * c * p->cos_delta * p->sin_psi * ddelta * dpsi - n * dpsi * dpsi;
+  const double cos_mu = fmax(1e-6, sqrt(fmax(0., 1. - n * n)));
+  const double R_mu = -0.1 * side * par[PAR_A];
+  /* dz/dR_i */
+  const double z_R = s * s * p->cos_psi + c * (c * p->cos_delta - s * p->sin_delta * p->sin_psi);
+  const double dz_R = -(c * c * p->sin_delta + s * c * p->cos_delta * p->sin_psi) * ddelta
+                      - s * (s * p->sin_psi + c * p->sin_delta * p->cos_psi) * dpsi;
+  const double factor = par[PAR_R_MOVES] * R_mu / cos_mu;
+
+  w->zB_delta += factor * z_R * n_delta;
+  w->zB_psi += factor * z_R * n_psi;
+  w->ddzB += factor * (z_R * (ddn + n * dn * dn / (cos_mu * cos_mu)) + 2. * dz_R * dn);
+}
+
+/* Kinematics and generalised forces of a wheel: all of the contact but F_z.  side = -1
+ * left, +1 right; lambda is that tyre's deflection. */
 static inline struct mlg_contact mlg_contact(const double par[], const double u[],
                                              const struct mlg_pose *p, double side, double lambda)
 {
-  const double a = par[PAR_A], e = par[PAR_E], l_delta = par[PAR_L_DELTA], l_D = par[PAR_L_D];
-  const double m_D = par[PAR_M_D], R = par[PAR_R], k_t = par[PAR_K_T], g = par[PAR_G];
-  const double M = par[PAR_M], ddelta = u[DDELTA], dpsi = u[DPSI];
+  const double a = par[PAR_A], e = par[PAR_E], l_delta = par[PAR_L_DELTA], R = par[PAR_R];
+  const double ddelta = u[DDELTA], dpsi = u[DPSI];
   const double s = p->s, c = p->c, sin_delta = p->sin_delta, cos_delta = p->cos_delta;
   const double sin_theta = p->sin_theta, cos_theta = p->cos_theta;
   struct mlg_contact w;
@@ -257,14 +291,12 @@ static inline struct mlg_contact mlg_contact(const double par[], const double u[
   const double z_delta_delta = -c * (P * sin_delta + Z * cos_delta);
   const double z_delta_psi = c * Q * cos_delta;
   const double z_psi_psi = Q * s - P * c * sin_delta;
+  w.zB_delta = w.z_delta;
+  w.zB_psi = w.z_psi;
   w.ddzB = z_delta_delta * ddelta * ddelta + 2. * z_delta_psi * ddelta * dpsi
            + z_psi_psi * dpsi * dpsi;
-
-  /* vertical force (34)-(36), its term N12_z delta'' kept */
-  w.F_0 = 0.5 * (side * a * p->mu * k_t + m_D * w.ddzB
-                 + m_D * l_D * c * cos_delta * ddelta * ddelta + (m_D + M) * g);
-  w.F_delta = 0.5 * m_D * (w.z_delta + l_D * c * sin_delta);
-  w.F_psi = 0.5 * m_D * w.z_psi;
+  if (par[PAR_R_MOVES] != 0.)
+    mlg_moving_radius(par, u, p, side, &w);
 
   /* tyre forces (14), (17) along delta and psi (21) */
   const double Lambda = mlg_restoring(par, lambda);
@@ -272,6 +304,23 @@ static inline struct mlg_contact mlg_contact(const double par[], const double u[
   w.Q_delta = Lambda * (sin_theta * w.x_delta - cos_theta * w.y_delta) + w.z_delta - C * s;
   w.Q_psi = Lambda * (sin_theta * w.x_psi - cos_theta * w.y_psi) + w.z_psi + C * c * cos_delta;
   return w;
+}
+
+/* Vertical force (34)-(36) of a wheel, its term N12_z delta'' kept; other is the other
+ * wheel, whose zB'' counts as much as its own when zB'' is shared. */
+static inline void mlg_vertical_force(const double par[], const double u[], const struct mlg_pose *p,
+                                      double side, struct mlg_contact *w, const struct mlg_contact *other)
+{
+  const double a = par[PAR_A], l_D = par[PAR_L_D], m_D = par[PAR_M_D], ddelta = u[DDELTA];
+  const double c = p->c, half = 0.5 * par[PAR_ZB_SHARED]; /* doubt */
+  const double zB_delta = w->zB_delta + half * (other->zB_delta - w->zB_delta);
+  const double zB_psi = w->zB_psi + half * (other->zB_psi - w->zB_psi);
+  const double ddzB = w->ddzB + half * (other->ddzB - w->ddzB);
+
+  w->F_0 = 0.5 * (side * a * p->mu * par[PAR_K_T] + m_D * ddzB
+                  + m_D * l_D * c * p->cos_delta * ddelta * ddelta + (m_D + par[PAR_M]) * par[PAR_G]);
+  w->F_delta = 0.5 * m_D * (zB_delta + (1. - par[PAR_N12_OUT]) * l_D * c * p->sin_delta);
+  w->F_psi = 0.5 * m_D * zB_psi;
 }
 
 /* Rate of a tyre's deflection, m/s: stretched string (31). */
@@ -295,25 +344,31 @@ static inline void mlg_gear(const double par[], const double u[], double T_d, do
   const double J_skew = par[PAR_J_XI] - J_eta;
   const double ddelta = u[DDELTA], dpsi = u[DPSI];
   const struct mlg_pose p = mlg_pose(par, u);
-  const struct mlg_contact wheel[2] = {
+  struct mlg_contact wheel[2] = {
     mlg_contact(par, u, &p, -1., u[LAMBDA_L]),
     mlg_contact(par, u, &p, +1., u[LAMBDA_R]),
   };
   const double N12 = m_D * l_D * p.c * p.sin_delta;
+  /* doubt: the wheels, with V/R about their axle, turn psi' into a moment on delta and back */
+  const double spin = par[PAR_I_P] * par[PAR_V] / par[PAR_R] * p.cos_psi;
+
+  mlg_vertical_force(par, u, &p, -1., &wheel[0], &wheel[1]);
+  mlg_vertical_force(par, u, &p, +1., &wheel[1], &wheel[0]);
 
   /* (32) and (33) as M11 delta'' + M12 psi'' = b1, M21 delta'' + M22 psi'' = b2;
    * zB'' in (32) is the mean of the two wheels' */
   double M11 = J_eta + J_skew * p.cos_psi * p.cos_psi + m_D * l_D * l_D, M12 = 0.;
   double M21 = 0., M22 = par[PAR_J_ZETA];
   double b1 = 2. * J_skew * p.cos_psi * p.sin_psi * ddelta * dpsi - par[PAR_C_DELTA] * ddelta
-              - par[PAR_K_DELTA] * u[DELTA] - l_D * m_D * par[PAR_G] * p.sin_delta * p.c;
-  double b2 = -J_skew * p.cos_psi * p.sin_psi * ddelta * ddelta - par[PAR_C_PSI] * dpsi - T_d;
+              - par[PAR_K_DELTA] * u[DELTA] - l_D * m_D * par[PAR_G] * p.sin_delta * p.c
+              - spin * dpsi;
+  double b2 = -J_skew * p.cos_psi * p.sin_psi * ddelta * ddelta - par[PAR_C_PSI] * dpsi - T_d + spin * ddelta;
 
   for (int i = 0; i < 2; i++) {
     const struct mlg_contact *w = &wheel[i];
 
-    M11 += 0.5 * N12 * w->z_delta + w->F_delta * w->Q_delta;
-    M12 += 0.5 * N12 * w->z_psi + w->F_psi * w->Q_delta;
+    M11 += 0.5 * N12 * w->zB_delta + w->F_delta * w->Q_delta;
+    M12 += 0.5 * N12 * w->zB_psi + w->F_psi * w->Q_delta;
     M21 += w->F_delta * w->Q_psi;
     M22 += w->F_psi * w->Q_psi;
     b1 -= 0.5 * N12 * w->ddzB + w->F_0 * w->Q_delta;

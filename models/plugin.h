@@ -96,6 +96,8 @@ static void refuse_misfit(void)
   mlg_defaults(par);
   par[PAR_K_S] = 1e6;
   par[PAR_B] = 100.;
+  par[PAR_ZB_SHARED] = par[PAR_R_MOVES] = par[PAR_HEADING] = par[PAR_N12_OUT] = 0.3;
+  par[PAR_I_P] = 3.;
   misfit = derivatives_misfit(par);
   if (!(misfit < 1e-6)) {
     fprintf(stderr, "the derivatives are off by %.1g: models/jacobian.h does not fit models/mlg.h, or "
@@ -103,6 +105,18 @@ static void refuse_misfit(void)
     exit(2);
   }
   fits = 1;
+}
+
+/* Whether a doubt is among the free parameters: in AUTO's icp a 0 ends them, and it has
+ * room for more than ndim + 7 always.  NULL: all are asked for. */
+static int doubt_is_free(integer ndim, const integer *icp)
+{
+  for (integer i = 0; icp != NULL && i < ndim + 8; i++)
+    if (icp[i] <= 0)
+      return 0;
+    else if (icp[i] > PAR_ZB_SHARED && icp[i] <= PAR_N12_OUT + 1)
+      return 1;
+  return 1;
 }
 
 /* Right-hand side and its derivatives (AUTO's FUNC, JAC = 1); those by parameters
@@ -113,13 +127,12 @@ static void refuse_misfit(void)
 int func(integer ndim, const doublereal *u, const integer *icp, const doublereal *par,
          integer ijac, doublereal *f, doublereal *dfdu, doublereal *dfdp)
 {
-  (void)icp;
   need_room(MLG_SLOTS);
   if (usable(par)) {
     right_hand_side(par, u, f);
     if (ijac != 0) {
       refuse_misfit();
-      derivatives(par, u, f, dfdu, ijac == 2 ? dfdp : NULL);
+      some_derivatives(par, u, f, dfdu, ijac == 2 ? dfdp : NULL, ijac == 2 && doubt_is_free(ndim, icp));
     }
     return 0;
   }

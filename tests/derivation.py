@@ -101,10 +101,14 @@ def rates(lib, layout, parameters, states):
 STATE_SIZE = {'delta': 0.5, 'ddelta': 5, 'psi': 1, 'dpsi': 10, 'lambda_L': 0.08, 'lambda_R': 0.08}
 DEVICE_SIZE = 0.5  # of the device's states
 PARAMETER_DECADES = {'c_d': (1, 6), 'k_s': (4, 7), 'b': (0, 3)}
-PARAMETER_RANGE = {'V': (0, 200), 'phi': (-0.3, 0.3)}
+PARAMETER_RANGE = {'V': (0, 200), 'phi': (-0.3, 0.3), 'I_p': (0, 20),
+                   **{name: (0, 1) for name in ('zB_shared', 'R_moves', 'heading', 'N12_out')}}
 
 
 def random_parameter(random, name, default, samples):
+    """the doubts (0 by default) in every second sample only"""
+    if name in map(str, derive.DOUBTS):
+        return random.uniform(*PARAMETER_RANGE[name], samples) * (numpy.arange(samples) % 2)
     if name in PARAMETER_DECADES:
         return 10 ** random.uniform(*PARAMETER_DECADES[name], samples)
     return random.uniform(*PARAMETER_RANGE.get(name, (0.7 * default, 1.3 * default)), samples)
@@ -128,12 +132,20 @@ def remainder(parts):
 
 
 def wheels(at):
-    """The values at each wheel: those of derive.WHEEL added"""
+    """The values at each wheel, with those of derive.WHEEL and LOAD; and with the mean
+    zB'' of both, in at as well"""
+    both = []
     for side, tyre in (-1, 'lambda_L'), (1, 'lambda_R'):
         here = {**at, 'side': side, 'lambda': at[tyre], 'lambda_rate': at[f'{tyre}_rate']}
         for x, expression in derive.WHEEL.items():
             here[str(x)] = value(expression, here)
-        yield here
+        both.append(here)
+    at['ddzB'] = sum(here['ddzB_own'] for here in both) / 2
+    for here in both:
+        here['ddzB'] = at['ddzB']
+        for x, expression in derive.LOAD.items():
+            here[str(x)] = value(expression, here)
+    return both
 
 
 def remainders(device, at):
@@ -143,9 +155,8 @@ def remainders(device, at):
     at = {**at, 'dddelta': at['ddelta_rate'], 'ddpsi': at['dpsi_rate'],
           **{str(x): value(found, at)
              for x, found in sympy.solve(in_series, unknown, dict=True)[0].items()}}
-    wheel = list(wheels(at))
-    for mean, of_wheel in ('dzB', derive.rate(derive.contact[2])), ('ddzB', derive.ddzB_i):
-        at[mean] = sum(value(of_wheel, here) for here in wheel) / 2
+    wheel = wheels(at)
+    at['dzB'] = sum(value(derive.rate(derive.contact[2]), here) for here in wheel) / 2
     motion = {q: [(strut, at), *((share, here) for here in wheel)]
               for q, strut, share in zip(derive.coordinates, derive.body(), derive.wheel())}
     tyre = rate(derive.lam) - derive.stretched_string()

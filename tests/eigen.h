@@ -63,7 +63,7 @@ static inline void eigen_jacobian(const double par[], double A[NDIM * NDIM])
 static inline void eigen_jacobian_slope(const double par[], int slot, double dA[NDIM * NDIM])
 {
   double p[EIGEN_SLOTS], A[NDIM * NDIM];
-  const double step = slot == PAR_V ? 10. : 2e-3 * fabs(par[slot]);
+  const double step = slot == PAR_V ? 10. : fabs(par[slot]) > 0. ? 2e-3 * fabs(par[slot]) : 2e-3;
 
   memcpy(p, par, sizeof p);
   memset(dA, 0, NDIM * NDIM * sizeof *dA);

@@ -83,7 +83,7 @@ commands() {
     run -2 --separate-stderr mlg eigenvalues li1 "$name=$(awk "BEGIN { print 2 * $most }")"
     [[ $stderr == "mlg eigenvalues: '$name="*"': outside its range, "* ]] || { echo "$stderr" && return 1; }
   done < <(sed -n '/define MLG_PARAMETERS/,/^$/s|^ *X([^"]*"\([^"]*\)", *"[^"]*", *[^,]*, *\([^,]*\), *\([^,]*\),.*|\1 \2 \3|p' models/mlg.h)
-  [ "$n" -eq 27 ]
+  [ "$n" -eq 43 ]
   refuses "mlg damping: 'V_top=0': outside its range, 0.001 to 1000 m/s" damping l1 V_top=0
   refuses "mlg damping: 'compliance=-1': outside its range, 0 to 100000 1e-5 rad/(N m)" damping l2 compliance=-1
 }

@@ -147,7 +147,7 @@ layouts() {
 }
 
 # Name and default of each parameter of a layout that is not on an axis; k_s and b where
-# its device has them; without those of laws (tests/joints.bats)
+# its device has them; without those of laws (joints.bats) and doubts (doubts.bats)
 parameters() { # LAYOUT
   awk -F'"' '/^#define MLG_RESULTS/ { exit }
     /^ *X\( *[0-9]/ && substr($1, index($1, "(") + 1) + 0 <= 36 && $2 !~ /^(V|c_d|k_s|b|phi|M)$/ { split($5, x, ","); print $2, x[2] }

@@ -92,6 +92,13 @@ static void random_parameters(double par[])
 #undef X
   par[PAR_V] = uniform(0., 200.);
   par[PAR_PHI] = uniform(-0.3, 0.3);
+  if (uniform(0., 1.) < 0.5) { /* all doubts */
+    par[PAR_ZB_SHARED] = uniform(0., 1.);
+    par[PAR_R_MOVES] = uniform(0., 1.);
+    par[PAR_HEADING] = uniform(0., 1.);
+    par[PAR_I_P] = uniform(0., 20.);
+    par[PAR_N12_OUT] = uniform(0., 1.);
+  }
   par[PAR_C_D] = log_uniform(10., 1e6);
   par[PAR_K_S] = log_uniform(1e4, 1e7);
   par[PAR_B] = log_uniform(1., 1e3);
@@ -367,13 +374,14 @@ static void linearisation_is_the_closed_form(void **state)
     const double m_D = par[PAR_M_D], l_D = par[PAR_L_D], l = par[PAR_L], V = par[PAR_V];
     const double F = (par[PAR_M] + m_D) * g, et = par[PAR_E] + par[PAR_R] * s;
     const double length = par[PAR_L_DELTA] + par[PAR_R] * c;
-    const double m = a * a * m_D / 4., kap = a * a * par[PAR_K_T] / 2.;
+    const double m = a * a * m_D / 4. * (1. - par[PAR_ZB_SHARED]) * (1. - 0.2 * par[PAR_R_MOVES]), kap = a * a * par[PAR_K_T] / 2.;
     const double M11 = par[PAR_J_XI] + m_D * l_D * l_D + m * c * c, M12 = m * c * s;
     const double M22 = par[PAR_J_ZETA] + m * s * s, det = M11 * M22 - M12 * M12;
     const double K11 = par[PAR_K_DELTA] - F * length * c + kap * c * c + m_D * g * l_D * c;
     const double K12 = -F * et * c + kap * c * s, K22 = -F * et * s + kap * s * s;
     const double D1 = F * (7. * par[PAR_K_LAMBDA] * length - par[PAR_K_ALPHA] * s) / l;
     const double D2 = F * (7. * par[PAR_K_LAMBDA] * et + par[PAR_K_ALPHA] * c) / l;
+    const double bent = par[PAR_HEADING] * s, spin = par[PAR_I_P] * V / par[PAR_R];
 
     for (int j = 0; j < NDIM; j++) {
       double unit[NDIM] = { 0. }, *column = expected + NDIM * j;
@@ -383,17 +391,17 @@ static void linearisation_is_the_closed_form(void **state)
       unit[j] = 1.;
       const double T_d = device(par, unit, column);
       const double on_delta = K11 * unit[DELTA] + K12 * unit[PSI] + par[PAR_C_DELTA] * unit[DDELTA]
-                              + D1 * (unit[LAMBDA_L] + unit[LAMBDA_R]) / 2.;
+                              + spin * unit[DPSI] + D1 * (unit[LAMBDA_L] + unit[LAMBDA_R]) / 2.;
       const double on_psi = K12 * unit[DELTA] + K22 * unit[PSI] + par[PAR_C_PSI] * unit[DPSI]
-                            + D2 * (unit[LAMBDA_L] + unit[LAMBDA_R]) / 2. + T_d;
+                            - spin * unit[DDELTA] + D2 * (unit[LAMBDA_L] + unit[LAMBDA_R]) / 2. + T_d;
 
       column[DELTA] = unit[DDELTA];
       column[PSI] = unit[DPSI];
       column[DDELTA] = (-M22 * on_delta + M12 * on_psi) / det;
       column[DPSI] = (M12 * on_delta - M11 * on_psi) / det;
       for (int i = LAMBDA_L; i <= LAMBDA_R; i++)
-        column[i] = length * unit[DDELTA] + V * c * unit[PSI] + (et - par[PAR_H] * c) * unit[DPSI]
-                    - V / l * unit[i];
+        column[i] = (length + par[PAR_H] * bent) * unit[DDELTA] + V * (c * unit[PSI] - bent * unit[DELTA])
+                    + (et - par[PAR_H] * c) * unit[DPSI] - V / l * unit[i];
     }
     eigen_jacobian(par, A);
     for (int j = 0; j < NDIM; j++) {
@@ -474,9 +482,11 @@ static void derivatives_are_those_of_func(void **state)
     for (int k = 0; k < MLG_PARAMETER_COUNT; k++) {
       const int j = mlg_parameters[k].slot;
 
-      if (fabs(par[j]) > 0. && par[j] < MLG_RIGID) { /* else the device has none */
-        slope(par, u, &par[j], 2e-3 * par[j], expected);
-        assert_column(mlg_parameters[k].name, dfdp + j * NDIM, expected, f, par[j]);
+      const int doubt = j >= PAR_ZB_SHARED && j <= PAR_N12_OUT;
+
+      if (doubt || (fabs(par[j]) > 0. && par[j] < MLG_RIGID)) { /* else the device has none */
+        slope(par, u, &par[j], doubt ? 0.01 : 2e-3 * par[j], expected);
+        assert_column(mlg_parameters[k].name, dfdp + j * NDIM, expected, f, doubt ? 1. : par[j]);
       }
     }
     if (n < 16)

@@ -35,6 +35,16 @@ static void random_parameters(double par[])
   par[PAR_PHI] = uniform(-0.3, 0.3);
 }
 
+/* The doubts between the paper and the other choice, and both ends of it. */
+static void random_doubts(double par[], int sample)
+{
+  static const int choice[] = { PAR_ZB_SHARED, PAR_R_MOVES, PAR_HEADING, PAR_N12_OUT };
+
+  for (int i = 0; i < 4; i++)
+    par[choice[i]] = sample % 3 == 2 ? uniform(0., 1.) : (sample / 3) >> i & sample % 3;
+  par[PAR_I_P] = sample % 3 ? uniform(0., 20.) : 0.;
+}
+
 /* Large angles, tyres on both sides of alpha_m. */
 static void random_gear(double u[])
 {
@@ -70,6 +80,18 @@ static void rotation(double phi, cplx delta, cplx psi, cplx H[3][3])
 static double roll(const double par[], const double u[])
 {
   return asin(sin(par[PAR_PHI]) * sin(u[PSI]) + cos(par[PAR_PHI]) * sin(u[DELTA]) * cos(u[PSI]));
+}
+
+/* (14), and with the doubt of the heading */
+static cplx heading(const double par[], cplx delta, cplx psi)
+{
+  return psi * cos(par[PAR_PHI]) * ccos(delta) - par[PAR_HEADING] * sin(par[PAR_PHI]) * delta;
+}
+
+/* theta' at the state u, by a complex step along its rates. */
+static double heading_rate(const double par[], const double u[])
+{
+  return cimag(heading(par, u[DELTA] + I * tiny * u[DDELTA], u[PSI] + I * tiny * u[DPSI])) / tiny;
 }
 
 /* (19) */
@@ -115,10 +137,29 @@ static double dzB_wheel(const double par[], const double u[], int side, double R
   return by_delta[2] * u[DDELTA] + by_psi[2] * u[DPSI];
 }
 
+/* What R_i adds to it when it is differentiated too: d/dt z less the same with R_i held,
+ * by a complex step along the rates. */
+static double dzB_of_radius(const double par[], const double u[], int side)
+{
+  const cplx delta = u[DELTA] + I * tiny * u[DDELTA], psi = u[PSI] + I * tiny * u[DPSI];
+  const cplx n = sin(par[PAR_PHI]) * csin(psi) + cos(par[PAR_PHI]) * csin(delta) * ccos(psi);
+  const double dmu = cimag(n) / tiny / sqrt(1. - creal(n) * creal(n));
+  cplx r[2][3];
+
+  for (int k = 0; k < 2; k++) /* z is linear in R_i */
+    contact_point(par, u[DELTA], u[PSI], side, k, r[k]);
+  return creal(r[1][2] - r[0][2]) * -0.1 * side * par[PAR_A] * dmu;
+}
+
+/* z_B' of a wheel as the constraint has it: its own, with R_i as R_moves says. */
+static double dzB_own(const double par[], const double u[], int side)
+{
+  return dzB_wheel(par, u, side, loaded_radius(par, u, side)) + par[PAR_R_MOVES] * dzB_of_radius(par, u, side);
+}
+
 static double dzB_mean(const double par[], const double u[])
 {
-  return (dzB_wheel(par, u, -1, loaded_radius(par, u, -1))
-          + dzB_wheel(par, u, +1, loaded_radius(par, u, +1))) / 2.;
+  return (dzB_own(par, u, -1) + dzB_own(par, u, +1)) / 2.;
 }
 
 /* (10); psi' turns about the third body axis, column 3 of H. */
@@ -158,6 +199,23 @@ static cplx kinetic_energy(const double par[], cplx delta, cplx psi, cplx ddelta
         for (int k = 0; k < 3; k++) /* J^G = H J^b H^T */
           T += omega[w][i] * H[i][k] * J_b[k] * H[j][k] * omega[w][j] / 2.;
   return T;
+}
+
+/* Doubt: what the wheels that turn with -V/R about their axle, column 2 of H, add to T. */
+static cplx spin_energy(const double par[], cplx delta, cplx psi, cplx ddelta, cplx dpsi)
+{
+  cplx H[3][3], omega[2][3], about = 0.;
+
+  rotation(par[PAR_PHI], delta, psi, H);
+  angular_velocities(par[PAR_PHI], delta, ddelta, dpsi, omega[0], omega[1]);
+  for (int i = 0; i < 3; i++)
+    about += H[i][1] * (omega[0][i] + omega[1][i]);
+  return par[PAR_I_P] * -par[PAR_V] / par[PAR_R] * about;
+}
+
+static cplx whole_energy(const double par[], cplx delta, cplx psi, cplx ddelta, cplx dpsi, cplx dzB)
+{
+  return kinetic_energy(par, delta, psi, ddelta, dpsi, dzB) + spin_energy(par, delta, psi, ddelta, dpsi);
 }
 
 /* (25), in the form of its source: both arctangents stand outside the cosine */
@@ -210,6 +268,20 @@ static double flow_dzB_wheel(const struct flow *flow, const double *u)
   return dzB_wheel(flow->par, u, flow->side, flow->R_i);
 }
 
+static double flow_dzB_moving(const struct flow *flow, const double *u)
+{
+  return dzB_wheel(flow->par, u, flow->side, loaded_radius(flow->par, u, flow->side))
+         + dzB_of_radius(flow->par, u, flow->side);
+}
+
+/* z_B'' of the constraint of one wheel. */
+static double ddzB_own(const struct flow *flow)
+{
+  const double held = along(flow, flow_dzB_wheel), moving = along(flow, flow_dzB_moving);
+
+  return held + flow->par[PAR_R_MOVES] * (moving - held);
+}
+
 static double flow_dz_D(const struct flow *flow, const double *u) /* upwards, from B */
 {
   cplx v[3];
@@ -228,7 +300,7 @@ static double flow_momentum(const struct flow *flow, const double *u) /* dT/d q'
 {
   const cplx step = I * tiny;
 
-  return cimag(kinetic_energy(flow->par, u[DELTA], u[PSI],
+  return cimag(whole_energy(flow->par, u[DELTA], u[PSI],
                               u[DDELTA] + (flow->which == DELTA ? step : 0.),
                               u[DPSI] + (flow->which == PSI ? step : 0.),
                               dzB_mean(flow->par, u))) / tiny;
@@ -245,20 +317,28 @@ struct forces {
 
 static struct forces cartesian_forces(const double par[], const double u[], const double du[])
 {
-  const double theta = u[PSI] * cos(par[PAR_PHI]) * cos(u[DELTA]);
+  const double theta = creal(heading(par, u[DELTA], u[PSI]));
   struct forces f = { .F_N = par[PAR_M] * par[PAR_G], .G_D = par[PAR_M_D] * par[PAR_G] };
   struct flow flow = { .par = par, .u = u, .du = du };
   const double ddz_D = along(&flow, flow_dz_D);
+  /* N12_z delta'', which (35), (36) do not print */
+  const double N12 = par[PAR_L_D] * cos(par[PAR_PHI]) * sin(u[DELTA]) * du[DDELTA];
+  double ddzB[2];
 
   for (int i = 0; i < 2; i++) {
-    const int side = i ? +1 : -1;
+    flow.side = i ? +1 : -1;
+    flow.R_i = loaded_radius(par, u, flow.side);
+    ddzB[i] = ddzB_own(&flow);
+  }
+  for (int i = 0; i < 2; i++) {
+    const int side = flow.side = i ? +1 : -1;
     const double lambda = u[i ? LAMBDA_R : LAMBDA_L];
+    const double shared = ddzB[i] + par[PAR_ZB_SHARED] * ((ddzB[0] + ddzB[1]) / 2. - ddzB[i]);
 
-    flow.side = side;
     flow.R_i = loaded_radius(par, u, side);
     contact_slopes(par, u, side, flow.R_i, f.wheel[i].by_delta, f.wheel[i].by_psi);
     const double F_z = 0.5 * (side * par[PAR_A] * roll(par, u) * par[PAR_K_T]
-                              + par[PAR_M_D] * (along(&flow, flow_dzB_wheel) + ddz_D)
+                              + par[PAR_M_D] * (shared + ddz_D - par[PAR_N12_OUT] * N12)
                               + f.G_D + f.F_N);
     f.wheel[i].F[0] = -F_z * restoring(par, lambda) * sin(theta);
     f.wheel[i].F[1] = F_z * restoring(par, lambda) * cos(theta);
@@ -408,15 +488,15 @@ static void pose(void **state)
   (void)state;
   for (int n = 0; n < SAMPLES; n++) {
     random_parameters(par);
+    random_doubts(par, n);
     random_gear(u);
     const struct mlg_pose p = mlg_pose(par, u);
-    const double c = cos(par[PAR_PHI]), theta = u[PSI] * c * cos(u[DELTA]);
-    const cplx theta_ahead = (u[PSI] + I * tiny * u[DPSI]) * c * ccos(u[DELTA] + I * tiny * u[DDELTA]);
+    const double theta = creal(heading(par, u[DELTA], u[PSI]));
 
     assert_near(p.mu, roll(par, u), 1e-14);
     assert_near(p.sin_theta, sin(theta), 1e-15);
     assert_near(p.cos_theta, cos(theta), 1e-15);
-    assert_near(p.dtheta, cimag(theta_ahead) / tiny, 1e-13);
+    assert_near(p.dtheta, heading_rate(par, u), 1e-13);
   }
 }
 
@@ -429,6 +509,7 @@ static void contact_kinematics(void **state)
   (void)state;
   for (int n = 0; n < SAMPLES; n++) {
     random_parameters(par);
+    random_doubts(par, n);
     random_gear(u);
     const struct mlg_pose p = mlg_pose(par, u);
     const double steady[GEAR_STATES] = { [DELTA] = u[DDELTA], [PSI] = u[DPSI] };
@@ -446,7 +527,7 @@ static void contact_kinematics(void **state)
       assert_near(w.x_psi, by_psi[0], 1e-14);
       assert_near(w.y_psi, by_psi[1], 1e-14);
       assert_near(w.z_psi, by_psi[2], 1e-14);
-      assert_near(w.ddzB, along(&flow, flow_dzB_wheel), 1e-9);
+      assert_near(w.ddzB, ddzB_own(&flow), 1e-9);
     }
   }
 }
@@ -459,11 +540,10 @@ static void stretched_string(void **state)
   (void)state;
   for (int n = 0; n < SAMPLES; n++) {
     random_parameters(par);
+    random_doubts(par, n);
     random_gear(u);
     mlg_gear(par, u, 0., du);
-    const double c = cos(par[PAR_PHI]), theta = u[PSI] * c * cos(u[DELTA]);
-    const double dtheta = cimag((u[PSI] + I * tiny * u[DPSI]) * c
-                                * ccos(u[DELTA] + I * tiny * u[DDELTA])) / tiny;
+    const double theta = creal(heading(par, u[DELTA], u[PSI])), dtheta = heading_rate(par, u);
 
     for (int i = 0; i < 2; i++) {
       const int side = i ? +1 : -1, slot = i ? LAMBDA_R : LAMBDA_L;
@@ -490,6 +570,7 @@ static void lagranges_equation(void **state)
   (void)state;
   for (int n = 0; n < SAMPLES; n++) {
     random_parameters(par);
+    random_doubts(par, n);
     random_gear(u);
     const double T_d = uniform(-1e5, 1e5), phi = par[PAR_PHI];
 
@@ -506,7 +587,7 @@ static void lagranges_equation(void **state)
 
       angular_velocities(phi, u[DELTA], by_delta, !by_delta, omega_delta, omega_psi);
       velocity_D(par, u[DELTA], by_delta, 0., v_D); /* unit rate: dv_D/dq' */
-      const double dT_dq = cimag(kinetic_energy(par, u[DELTA] + (by_delta ? step : 0.),
+      const double dT_dq = cimag(whole_energy(par, u[DELTA] + (by_delta ? step : 0.),
                                                 u[PSI] + (by_delta ? 0. : step), u[DDELTA],
                                                 u[DPSI], dzB_mean(par, u))) / tiny;
       const double elastic = by_delta ? par[PAR_K_DELTA] * u[DELTA] : T_d;
@@ -536,6 +617,8 @@ static void energy_balance(void **state)
   (void)state;
   for (int n = 0; n < SAMPLES; n++) {
     random_parameters(par);
+    random_doubts(par, n);
+    par[PAR_N12_OUT] = 0.; /* without that term it does not hold */
     random_gear(u);
     const double T_d = uniform(-1e5, 1e5), dzB = dzB_mean(par, u);
 

@@ -89,7 +89,7 @@ static int meeting(const struct crossing_at at[], int n, struct crossing_at *mid
     for (int k = 0; k < i; k++)
       if (fabs(at[i].t / at[k].t - 1.) < gap) {
         gap = fabs(at[i].t / at[k].t - 1.);
-        *middle = (struct crossing_at){ 0.5 * (at[i].t + at[k].t), 0., at[i].c };
+        *middle = (struct crossing_at){ 0.5 * (at[i].t + at[k].t), 0.5 * (at[i].V + at[k].V), at[i].c };
       }
   return gap < 0.01;
 }

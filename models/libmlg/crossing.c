@@ -7,26 +7,6 @@
 
 /* --- F ----------------------------------------------------------------------------- */
 
-/* Determinants of the gear without its device, whole and the minor that Z multiplies,
- * as [0] + [1] V: taken apart, not differenced, for V may have any size. */
-static void determinants(const double par[], struct poly whole[2], struct poly minor[2])
-{
-  const struct gear_matrix g = gear_matrix(par, 0.), at_1 = gear_matrix(par, 1.);
-  const struct poly tyre[2] = { g.tyre, { { at_1.tyre.coefficient[0] } } };
-  const struct poly p[2] = { g.p, { { at_1.p.coefficient[0] } } };
-
-  for (int v = 0; v < 2; v++) {
-    const struct poly Ls = v ? (struct poly){ { 0. } } : g.Ls;
-    const struct poly psi = poly_sum(poly_product(g.A22, tyre[v]), poly_scaled(p[v], g.D2));
-    const struct poly cross = poly_sum(poly_product(g.A12, tyre[v]), poly_scaled(Ls, g.D2));
-    const struct poly delta = poly_sum(poly_product(g.A22, Ls), poly_scaled(poly_product(g.A12, p[v]), -1.));
-
-    whole[v] = poly_sum(poly_sum(poly_product(g.A11, psi), poly_scaled(poly_product(g.A12, cross), -1.)),
-                        poly_scaled(delta, g.D1));
-    minor[v] = poly_sum(poly_product(g.A11, tyre[v]), poly_scaled(Ls, g.D1));
-  }
-}
-
 /* The device as [0] + [1] c/c_unit.  A rigid spring has no compliance at all. */
 static void device(const struct libmlg_layout *layout, const double par[], double c_unit, struct network Z[2])
 {
@@ -68,7 +48,7 @@ static void split(struct crossing *x)
 
   memset(x->a, 0, sizeof x->a);
   memset(x->b, 0, sizeof x->b);
-  for (int v = 0; v < 2; v++)
+  for (int v = 0; v <= x->speeds; v++)
     for (int k = 0; k < 2; k++) {
       double re = 1., im = 0.; /* ray^i */
 
@@ -105,9 +85,9 @@ void crossing_quadratic(const struct crossing *x, double A[T], double B[T], doub
 
 struct crossing crossing_of(const struct libmlg_layout *layout, const double par[], double zeta)
 {
-  const struct gear_matrix g = gear_matrix(par, 0.);
-  struct crossing x = { .order = 0 };
-  struct poly whole[2], minor[2];
+  const struct gear_matrix g = gear_matrix(par);
+  struct crossing x = { .order = 0, .speeds = gear_speeds(par) };
+  struct poly whole[GEAR_SPEEDS], minor[GEAR_SPEEDS];
   struct network Z[2];
   double largest = 0.;
 
@@ -115,19 +95,19 @@ struct crossing crossing_of(const struct libmlg_layout *layout, const double par
   x.omega_unit = pow(fabs(par[PAR_K_DELTA] / g.A11.coefficient[2] * par[PAR_K_PSI] / g.A22.coefficient[2]), 0.25);
   x.V_unit = x.omega_unit * par[PAR_L];
   x.c_unit = sqrt(par[PAR_K_D] * par[PAR_K_PSI]) / x.omega_unit;
-  determinants(par, whole, minor);
+  gear_determinants(par, whole, minor);
   device(layout, par, x.c_unit, Z);
-  for (int v = 0; v < 2; v++)
+  for (int v = 0; v <= x.speeds; v++)
     for (int k = 0; k < 2; k++) {
       const struct poly f = poly_sum(poly_product(Z[k].den, whole[v]), poly_product(Z[k].num, minor[v]));
-      double unit = v ? x.V_unit : 1.;
+      double unit = pow(x.V_unit, v);
 
       for (int i = 0; i < POLY_TERMS; i++, unit *= x.omega_unit) {
         x.F[v][k][i] = f.coefficient[i] * unit;
         largest = fmax(largest, fabs(x.F[v][k][i]));
       }
     }
-  for (int v = 0; v < 2; v++)
+  for (int v = 0; v <= x.speeds; v++)
     for (int k = 0; k < 2; k++) {
       for (int i = 0; i < POLY_TERMS; i++)
         x.F[v][k][i] /= largest;
@@ -145,6 +125,8 @@ struct crossing crossing_on(const struct crossing *other, double zeta)
   x.zeta = zeta;
   x.squared = zeta == 0.;
   split(&x);
+  if (x.speeds > 1) /* G is not of degree 2 in c: crossing_spin.c */
+    return x;
   crossing_quadratic(&x, A, B, C);
   x.degree = crossing_degree(A);
   if (crossing_degree(B) > x.degree)
@@ -216,6 +198,8 @@ double crossing_speed(const struct parts *f)
 
 double crossing_curvature(const struct crossing *x, const struct crossing_at *p)
 {
+  if (x->speeds > 1)
+    return spin_curvature(x, p);
   const struct parts f = crossing_parts(x, p->t, p->c);
   const struct jet_of_G j = crossing_jet(&f);
 
@@ -224,6 +208,8 @@ double crossing_curvature(const struct crossing *x, const struct crossing_at *p)
 
 double crossing_slope(const struct crossing *x, const struct crossing_at *p)
 {
+  if (x->speeds > 1)
+    return spin_slope(x, p);
   const struct parts f = crossing_parts(x, p->t, p->c);
   /* a = alpha + gamma V = 0 and b = beta + eta V = 0, differentiated by t and c */
   const double a_t = f.alpha.d + f.gamma.d * p->V, b_t = f.beta.d + f.eta.d * p->V;

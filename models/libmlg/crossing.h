@@ -19,7 +19,7 @@
 
 #include "layout.h"
 
-enum { CROSSING_TERMS = 24 };
+enum { CROSSING_TERMS = 24, CROSSING_SPEEDS = 4 };
 
 struct crossing {
   double zeta;
@@ -27,8 +27,9 @@ struct crossing {
   int squared;                       /* t is the square of omega / omega_unit */
   int order;                         /* degree of F in s */
   int degree;                        /* of G in t */
-  double F[2][2][CROSSING_TERMS];    /* F[v][k][i] belongs to V^v c^k s^i */
-  double a[2][2][CROSSING_TERMS], b[2][2][CROSSING_TERMS];
+  int speeds;                        /* of F in V: 1, or 3 with I_p */
+  double F[CROSSING_SPEEDS][2][CROSSING_TERMS]; /* F[v][k][i] belongs to V^v c^k s^i */
+  double a[CROSSING_SPEEDS][2][CROSSING_TERMS], b[CROSSING_SPEEDS][2][CROSSING_TERMS];
 };
 
 /* One crossing, in the units of struct crossing. */

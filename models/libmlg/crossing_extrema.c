@@ -13,6 +13,8 @@ int crossing_extremum_near(const struct crossing *x, struct crossing_at *p)
   const double from = p->t;
   double last = INFINITY;
 
+  if (x->speeds > 1)
+    return spin_extremum_near(x, p);
   for (int i = 0; i < NEWTON_STEPS; i++) {
     struct parts f = crossing_parts(x, p->t, p->c);
     const struct jet_of_G j = crossing_jet(&f);
@@ -84,9 +86,7 @@ static int add_extrema(const struct crossing *x, double t, double V_least, doubl
   return n;
 }
 
-/* (1 + mu)^k (1 - mu)^(m - k): t = (1 + mu)/(1 - mu) takes 0 < t < infinity to -1 < mu < 1,
- * so that no root is at infinity and none is favoured. */
-static void moebius(const double p[], int m, double out[])
+void crossing_moebius(const double p[], int m, double out[])
 {
   double up[T + 1] = { 1. }; /* (1 + mu)^k, then times (1 - mu)^(m - k) */
 
@@ -108,7 +108,7 @@ static void moebius(const double p[], int m, double out[])
 /* With G homogeneous of degree d in t and 1, G = G_t = 0 where G_t and d G - t G_t
  * vanish, both of degree m = d - 1.  As quadratics in c they share a root where their
  * Sylvester matrix is singular: eigenvalues mu of a matrix polynomial, whose leading
- * coefficient after moebius() is the matrix at t = -1. */
+ * coefficient after crossing_moebius() is the matrix at t = -1. */
 int crossing_extrema(const struct crossing *x, double V_least, double V_top, struct crossing_at out[], int most)
 {
   const int d = x->degree, m = d - 1, size = 4 * m;
@@ -118,6 +118,8 @@ int crossing_extrema(const struct crossing *x, double V_least, double V_top, str
   lapack_int pivot[4];
   int n = 0;
 
+  if (x->speeds > 1)
+    return spin_extrema(x, V_least, V_top, out, most);
   if (m < 1)
     return 0;
   crossing_quadratic(x, G[0], G[1], G[2]);
@@ -128,8 +130,8 @@ int crossing_extrema(const struct crossing *x, double V_least, double V_top, str
       P[i] = (i + 1) * G[k][i + 1];
       Q[i] = (d - i) * G[k][i];
     }
-    moebius(P, m, S[0][k]);
-    moebius(Q, m, S[1][k]);
+    crossing_moebius(P, m, S[0][k]);
+    crossing_moebius(Q, m, S[1][k]);
   }
   /* lead X = -rest, column by column */
   memset(lead, 0, sizeof lead);

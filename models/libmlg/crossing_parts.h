@@ -46,4 +46,16 @@ double crossing_speed(const struct parts *f);
  * value. */
 int crossing_companion(const double p[], int n, double re[], double im[]);
 
+/* (1 + mu)^k (1 - mu)^(m - k): t = (1 + mu)/(1 - mu) takes 0 < t < infinity to -1 < mu < 1,
+ * so that no root is at infinity and none is favoured. */
+void crossing_moebius(const double p[], int m, double out[]);
+
+/* What crossing.h says of crossings_at_c() and so on, for a gear whose wheels spin. */
+int spin_crossings_at_c(const struct crossing *x, double c, double V_least, double V_top, struct crossing_at out[]);
+int spin_extrema(const struct crossing *x, double V_least, double V_top, struct crossing_at out[], int most);
+int spin_extremum_near(const struct crossing *x, struct crossing_at *p); /* from its V, too */
+double spin_sine(const struct crossing *x, const struct crossing_at *p);
+double spin_slope(const struct crossing *x, const struct crossing_at *p);
+double spin_curvature(const struct crossing *x, const struct crossing_at *p);
+
 #endif

@@ -123,6 +123,8 @@ int crossings_at_c(const struct crossing *x, double c, double V_least, double V_
   double t[T];
   int n = 0, roots;
 
+  if (x->speeds > 1)
+    return spin_crossings_at_c(x, c, V_least, V_top, out);
   combined(f.alpha, x->a[0][0], x->a[0][1], c);
   combined(f.gamma, x->a[1][0], x->a[1][1], c);
   combined(f.beta, x->b[0][0], x->b[0][1], c);
@@ -138,16 +140,26 @@ int crossings_at_c(const struct crossing *x, double c, double V_least, double V_
   return n;
 }
 
+/* The part with c^k at one V. */
+static void at_speed(double r[T], const struct crossing *x, const double part[CROSSING_SPEEDS][2][T], int k, double V)
+{
+  for (int i = 0; i < T; i++) {
+    r[i] = 0.;
+    for (int v = x->speeds; v >= 0; v--)
+      r[i] = r[i] * V + part[v][k][i];
+  }
+}
+
 int crossings_at_V(const struct crossing *x, double V, struct crossing_at out[])
 {
   struct factors f;
   double t[T];
   int n = 0, roots;
 
-  combined(f.alpha, x->a[0][0], x->a[1][0], V);
-  combined(f.gamma, x->a[0][1], x->a[1][1], V);
-  combined(f.beta, x->b[0][0], x->b[1][0], V);
-  combined(f.eta, x->b[0][1], x->b[1][1], V);
+  at_speed(f.alpha, x, x->a, 0, V);
+  at_speed(f.gamma, x, x->a, 1, V);
+  at_speed(f.beta, x, x->b, 0, V);
+  at_speed(f.eta, x, x->b, 1, V);
   if (V == 0.) { /* F(0) is 0 at V = 0 for every c: no crossing */
     memmove(f.alpha, f.alpha + 1, (T - 1) * sizeof *f.alpha);
     memmove(f.gamma, f.gamma + 1, (T - 1) * sizeof *f.gamma);
@@ -170,8 +182,11 @@ int crossing_roots(const struct crossing *x, double V, double c, double re[], do
   double p[T];
   int n = x->order;
 
-  for (int i = 0; i <= n; i++)
-    p[i] = x->F[0][0][i] + V * x->F[1][0][i] + c * (x->F[0][1][i] + V * x->F[1][1][i]);
+  for (int i = 0; i <= n; i++) {
+    p[i] = 0.;
+    for (int v = x->speeds; v >= 0; v--)
+      p[i] = p[i] * V + x->F[v][0][i] + c * x->F[v][1][i];
+  }
   while (n > 0 && p[n] == 0.)
     n--;
   return n == 0 || crossing_companion(p, n, re, im) != 0 ? -1 : n;
@@ -268,6 +283,8 @@ int crossing_folds(const struct crossing *x, double t[])
 
 double crossing_sine(const struct crossing *x, const struct crossing_at *p)
 {
+  if (x->speeds > 1)
+    return spin_sine(x, p);
   const struct parts f = crossing_parts(x, p->t, p->c);
   const double w = x->squared ? sqrt(p->t) : p->t; /* q of crossing.h */
   const double a_t = f.alpha.d + f.gamma.d * p->V, b_t = w * (f.beta.d + f.eta.d * p->V);

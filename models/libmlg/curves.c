@@ -210,6 +210,11 @@ int libmlg_curves(int layout, const double par[], double zeta, const struct libm
   }
   libmlg_slots_at_rest(par, j->par);
   j->x = crossing_of(l, j->par, zeta);
+  if (j->x.speeds > 1) { /* at one t the roots are not two */
+    free(j);
+    free(*curves);
+    return LIBMLG_UNSURE;
+  }
   j->plane = (struct libmlg_plane){ plane->V_least / j->x.V_unit, plane->V_top / j->x.V_unit,
                                     plane->c_least / j->x.c_unit, plane->c_most / j->x.c_unit };
   find_breaks(j);

@@ -202,8 +202,11 @@ int libmlg_uses(int layout, int parameter)
 
     mlg_defaults(p);
     mlg_with_all_laws(p);
-    if (k == 1)
-      p[parameters[parameter].index] *= 1.1;
+    if (k == 1) {
+      double *const moved = &p[parameters[parameter].index];
+
+      *moved = *moved != 0. ? 1.1 * *moved : 1.; /* a doubt */
+    }
     for (int i = 0; i < l->states; i++)
       u[i] = 1e-2 * (i + 1);
     l->rhs(l, p, u, f[k]);

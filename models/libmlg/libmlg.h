@@ -504,8 +504,8 @@ struct libmlg_curve {
 };
 
 /* All curves of the damping ratio zeta (0: Hopf curves), the open ones first; *curves is to
- * go to libmlg_free_curves().  Returns their number, LIBMLG_NONE, LIBMLG_FAILED: out of
- * memory. */
+ * go to libmlg_free_curves().  Returns their number, LIBMLG_NONE, LIBMLG_UNSURE: with I_p
+ * they are not known as a whole, LIBMLG_FAILED: out of memory. */
 int libmlg_curves(int layout, const double par[], double zeta, const struct libmlg_plane *plane,
                   struct libmlg_curve **curves);
 void libmlg_free_curves(struct libmlg_curve *curves, int n);

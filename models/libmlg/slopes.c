@@ -61,8 +61,11 @@ static double _Complex F_at(const struct place *at, const double par[])
   const double _Complex s = at->s / x.omega_unit;
   const double V = at->V / x.V_unit, c = at->c / x.c_unit;
 
-  return polynomial(x.F[0][0], x.order, s) + polynomial(x.F[1][0], x.order, s) * V
-         + (polynomial(x.F[0][1], x.order, s) + polynomial(x.F[1][1], x.order, s) * V) * c;
+  double _Complex F = 0.;
+
+  for (int v = x.speeds; v >= 0; v--)
+    F = F * V + polynomial(x.F[v][0], x.order, s) + polynomial(x.F[v][1], x.order, s) * c;
+  return F;
 }
 
 /* Central differences of eighth order: exact for polynomials up to that degree, and F is one

@@ -6,7 +6,8 @@
  *   random-compare hard FILE               the gears of a table (tests/random/hard.csv): oracle
  *                                          and library against the values written there
  *
- * OPTION: seed=S (1), case=K alone or first=K, spread=S (1), layout=NAME (all).
+ * OPTION: seed=S (1), case=K alone or first=K, spread=S (1), layout=NAME (all), doubts=BITS
+ * (0; gears.h, random_doubts()).
  *
  * The two are compared as sets of c_d.  Where one says shimmy and the other none, the place is
  * looked at once more, by the oracle on a finer grid and by samples of V alone, and judged:
@@ -58,6 +59,10 @@ static void to_library(const struct oracle_gear *gear, double par[])
   libmlg_defaults(par);
   for (int i = 0; i < ORACLE_PARAMETER_COUNT; i++)
     par[libmlg_parameter(oracle_name[i])] = *oracle_at(&copy, i);
+  par[libmlg_parameter("zB_shared")] = gear->zB_shared;
+  par[libmlg_parameter("R_moves")] = gear->R_moves;
+  par[libmlg_parameter("heading")] = gear->heading;
+  par[libmlg_parameter("I_p")] = gear->I_p;
 }
 
 /* Its answer for this c_d alone. */
@@ -209,7 +214,7 @@ static void differences(const char *what, int layout, const struct oracle_gear *
     const bool of_oracle = among(oracle, inside), of_library = among(library, inside);
 
     if (of_oracle == of_library) {
-      if (width > thin && isfinite(inside) && is_free(layout, gear, inside) != of_library) {
+      if (width > thin && isfinite(inside) && is_free(layout, gear, inside / c_unit) != of_library) {
         printf("%s layout=%s: refused: libmlg_is_free() contradicts libmlg_intervals() at c_d = %.17g\n", what,
                oracle_layout_name[layout], inside);
         count->refused++;
@@ -290,10 +295,12 @@ static int compare_random(const struct options *o)
   struct count count = { .answers = 0 };
 
   for (int k = o->first; k < o->first + o->cases; k++) {
-    const struct oracle_gear gear = random_gear(o->seed, k, o->spread);
+    struct oracle_gear gear = random_gear(o->seed, k, o->spread);
     char what[80];
 
-    snprintf(what, sizeof what, "seed=%llu case=%d", (unsigned long long)o->seed, k);
+    random_doubts(&gear, o->seed, k, o->doubts);
+
+    snprintf(what, sizeof what, "seed=%llu case=%d doubts=%d", (unsigned long long)o->seed, k, o->doubts);
     for (int layout = 0; layout < ORACLE_LAYOUTS; layout++)
       if (o->layout < 0 || o->layout == layout)
         compare(what, layout, &gear, &gear, 1., &count);

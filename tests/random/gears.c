@@ -89,6 +89,19 @@ struct oracle_gear random_gear(uint64_t seed, int number, double spread)
   return gear;
 }
 
+void random_doubts(struct oracle_gear *gear, uint64_t seed, int number, int kinds)
+{
+  struct stream stream = stream_of(seed + 0x5eed, number);
+  double *const at[] = { &gear->zB_shared, &gear->R_moves, &gear->heading, &gear->I_p };
+
+  for (int i = 0; i < 4; i++) {
+    const double part = stream_next(&stream), whole = stream_next(&stream);
+
+    if (kinds >> i & 1)
+      *at[i] = i == 3 ? 20. * part : whole < 1. / 3. ? 1. : part;
+  }
+}
+
 struct oracle_gear gear_in_units(uint64_t seed, int number, double k_s, double b, double *c_unit)
 {
   struct stream stream = stream_of(~seed, number);
@@ -188,13 +201,15 @@ struct options read_options(int n, char **argument, int cases)
       o.first = whole(argument[i], value, 0);
     else if (IS("spread"))
       o.spread = number(argument[i], value, 0., 10.);
+    else if (IS("doubts"))
+      o.doubts = (int)number(argument[i], value, 0., 15.);
     else if (IS("layout")) {
       for (o.layout = 0; o.layout < ORACLE_LAYOUTS && strcmp(value, oracle_layout_name[o.layout]) != 0; o.layout++)
         ;
       if (o.layout == ORACLE_LAYOUTS)
         refuse(argument[i], "expected layout=l1, l2 or li1 to li5");
     } else
-      refuse(argument[i], "expected N, seed=, case=, first=, spread= or layout=");
+      refuse(argument[i], "expected N, seed=, case=, first=, spread=, doubts= or layout=");
 #undef IS
   }
   return o;

@@ -19,6 +19,10 @@ double stream_between(struct stream *stream, double lo, double hi);
 /* A gear like the paper's, its parameters each times 2^(-spread..spread). */
 struct oracle_gear random_gear(uint64_t seed, int number, double spread);
 
+/* Its doubts: those of the choices that are bits of kinds (1 zB_shared, 2 R_moves, 4 heading,
+ * 8 I_p) each between 0 and 1 or, of a third of the gears, 1; I_p up to 20 kg m^2. */
+void random_doubts(struct oracle_gear *gear, uint64_t seed, int number, int kinds);
+
 /* The paper's gear with its k_s (0: rigid) and b, in other units: the factors of force, time
  * and length are each 1e-4 to 1e4.  *c_unit is what c_d is multiplied by. */
 struct oracle_gear gear_in_units(uint64_t seed, int number, double k_s, double b, double *c_unit);
@@ -33,6 +37,7 @@ struct options {
   uint64_t seed;
   double spread;
   int layout;            /* or -1: all */
+  int doubts;            /* kinds of random_doubts() */
 };
 
 /* Reads N and options; a wrong one is one line on stderr and status 2. */

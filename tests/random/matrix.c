@@ -147,7 +147,7 @@ struct matrix matrix_of(enum oracle_layout layout, const struct oracle_gear *p, 
   const double s = sin(p->phi), c = cos(p->phi), F = (p->M + p->m_D) * p->g;
   const double caster = p->e + p->R * s, arm = p->l_delta + p->R * c;
   /* both wheels' vertical inertia and stiffness along the roll mu = s psi + c delta */
-  const double roll_inertia = p->a * p->a * p->m_D / 4., roll_stiffness = p->a * p->a * p->k_t / 2.;
+  const double roll_inertia = p->a * p->a * p->m_D / 4. * (1. - p->zB_shared) * (1. - 0.2 * p->R_moves), roll_stiffness = p->a * p->a * p->k_t / 2.;
   const double M11 = p->J_xi + p->m_D * p->l_D * p->l_D + roll_inertia * c * c, M12 = roll_inertia * c * s;
   const double M22 = p->J_zeta + roll_inertia * s * s, det = M11 * M22 - M12 * M12;
   const double time = sqrt(M22 / p->k_psi), torque = p->k_psi;
@@ -167,7 +167,19 @@ struct matrix matrix_of(enum oracle_layout layout, const struct oracle_gear *p, 
     m.A0[DDELTA + MOST * j] = unit * (M22 * q[0][j] - M12 * q[1][j]);
     m.A0[DPSI + MOST * j] = unit * (M11 * q[1][j] - M12 * q[0][j]);
   }
-  m.A0[LAMBDA + MOST * DDELTA] = arm / p->l;
+  /* wheels that turn with V/R: moments -I_p V/R psi' on delta, I_p V/R delta' on psi */
+  const double spin = p->I_p / p->R * p->l * unit / (time * time);
+
+  m.spins = p->I_p > 0.;
+  m.A1[DDELTA + MOST * DPSI] = -spin * M22;
+  m.A1[DPSI + MOST * DPSI] = spin * M12;
+  m.A1[DDELTA + MOST * DDELTA] = -spin * M12;
+  m.A1[DPSI + MOST * DDELTA] = spin * M11;
+  /* heading theta = c psi - s delta: V theta - h theta' */
+  const double bent = p->heading * s;
+
+  m.A1[LAMBDA + MOST * DELTA] = -bent;
+  m.A0[LAMBDA + MOST * DDELTA] = (arm + p->h * bent) / p->l;
   m.A0[LAMBDA + MOST * DPSI] = (caster - p->h * c) / p->l;
   m.A1[LAMBDA + MOST * PSI] = c;
   m.A1[LAMBDA + MOST * LAMBDA] = -1.;

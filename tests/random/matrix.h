@@ -25,6 +25,7 @@ struct matrix {
   int n;
   int row;                    /* the one that theta is in; -1: none, a limit of c_d */
   bool parallel;              /* theta is c_d */
+  bool spins;                 /* V is in rows beside LAMBDA's, too */
   double A0[MOST * MOST], A1[MOST * MOST], A2[MOST * MOST];
   double time, c_unit, V_top;
 };

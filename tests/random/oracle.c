@@ -7,7 +7,8 @@
  *    and column comes from one linear solve (a Lyapunov equation without V), and what
  *    remains is a generalised eigenvalue problem P y + V Q y = 0 as long as A less one:
  *    its eigenvalues are all those speeds, real and complex.  Every Hopf point is among
- *    the real ones.
+ *    the real ones.  Where the wheels spin (I_p) V is in other rows, too, and the whole
+ *    of A X + X A' = 0 is that problem.
  * 3. c_d has no shimmy if none of them is in 0 < V < V_top and one speed is stable.
  * 4. In between, adaptive refinement over x = ln c_d: a cell is done when a real speed
  *    within (0, V_top) plainly lasts across it (shimmy throughout), or when no speed can
@@ -33,6 +34,7 @@
 #include <lapacke.h>
 
 enum { PAIRS = (MOST - 1) * (MOST - 2) / 2 }; /* of all states but one */
+enum { ROOTS = MOST * (MOST - 1) / 2 };        /* of all pairs of states */
 
 static const double pi = 3.14159265358979323846;
 
@@ -127,6 +129,35 @@ static int sums_at_zero(int n, const double A[MOST * MOST], const double B[MOST 
   return N;
 }
 
+/* The same for any B, by the pencil of A X + X A' itself, a row and a column for each pair
+ * of states. */
+static int all_sums_at_zero(int n, const double A[MOST * MOST], const double B[MOST * MOST],
+                            double re[ROOTS], double im[ROOTS], double beta[ROOTS])
+{
+  int pair[MOST][MOST], pairs = 0;
+  double L[2][ROOTS * ROOTS] = { { 0. } }, work[WORK];
+
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < i; j++)
+      pair[i][j] = pair[j][i] = pairs++;
+  for (int part = 0; part < 2; part++)
+    for (int i = 0; i < n; i++)
+      for (int j = 0; j < i; j++)
+        for (int k = 0; k < n; k++) { /* (A X)_ij and (X A')_ij, X_kj = -X_jk */
+          const double *a = part ? B : A, sign = part ? -1. : 1.;
+          double *row = L[part] + pair[i][j];
+
+          if (k != j)
+            row[ROOTS * pair[k][j]] += sign * (k > j ? 1. : -1.) * a[i + MOST * k];
+          if (k != i)
+            row[ROOTS * pair[i][k]] += sign * (i > k ? 1. : -1.) * a[j + MOST * k];
+        }
+  if (LAPACKE_dggev_work(LAPACK_COL_MAJOR, 'N', 'N', pairs, L[0], ROOTS, L[1], ROOTS, re, im, beta,
+                         NULL, 1, NULL, 1, work, WORK) != 0)
+    return 0;
+  return pairs;
+}
+
 /* --- 3. one c_d ------------------------------------------------------------------------- */
 
 /* Speeds in units where the range of V is [-1, 1], and their distance to it on the sphere;
@@ -134,9 +165,9 @@ static int sums_at_zero(int n, const double A[MOST * MOST], const double B[MOST 
 struct node {
   double x;
   int roots, inside;        /* inside: how many are real and in the range */
-  double _Complex root[MOST];
-  double distance[MOST];    /* to the range; of one inside: to its ends and to the others inside */
-  bool real_inside[MOST];
+  double _Complex root[ROOTS];
+  double distance[ROOTS];   /* to the range; of one inside: to its ends and to the others inside */
+  bool real_inside[ROOTS];
   bool shimmy;
 };
 
@@ -150,11 +181,12 @@ static double chordal(double _Complex a, double _Complex b)
 static struct node look(const struct matrix *m, double x)
 {
   struct node node = { .x = x };
-  double A[MOST * MOST], re[MOST], im[MOST], beta[MOST];
+  double A[MOST * MOST], re[ROOTS], im[ROOTS], beta[ROOTS];
   const double theta = theta_of(m, x), middle = m->V_top / 2.;
 
   matrix_at(m, 0., theta, A);
-  node.roots = sums_at_zero(m->n, A, m->A1, LAMBDA, re, im, beta);
+  node.roots = m->spins ? all_sums_at_zero(m->n, A, m->A1, re, im, beta)
+                        : sums_at_zero(m->n, A, m->A1, LAMBDA, re, im, beta);
   for (int i = 0; i < node.roots; i++) {
     /* past 1e15 top speeds it is infinite */
     const double least = 1e-15 * hypot(re[i], im[i]) / middle, by = fabs(beta[i]) > least ? beta[i] : fmax(least, DBL_MIN);

@@ -29,6 +29,7 @@ struct oracle_gear {
   ORACLE_PARAMETERS(X)
 #undef X
   double V_top; /* the speeds are 0 < V < V_top */
+  double zB_shared, R_moves, heading, I_p; /* doubts, 0 in the paper (docs/doubts.md) */
 };
 
 enum oracle_parameter {

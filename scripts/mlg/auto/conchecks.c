@@ -183,24 +183,10 @@ static void check_numbers(struct constants *c, const struct entry *e, const stru
       bad_input(c, c->file, e->line, "%s: %s = %s is not a finite number", e->key, it->key, it->value);
 }
 
-/* Whether a parameter makes any difference to a layout: it stands in the right-hand
- * side, seen with a device in which every element works. */
+/* Whether a parameter makes any difference to a layout. */
 static int has_parameter(int layout, const struct mlg_parameter *p)
 {
-  const int number = libmlg_parameter(p->name);
-  double slots[MLG_SLOTS], par[LIBMLG_MOST_PARAMETERS], u[LIBMLG_MOST_STATES], f[LIBMLG_MOST_STATES], g[LIBMLG_MOST_STATES];
-
-  mlg_defaults(slots);
-  mlg_with_all_laws(slots);
-  for (int k = 0; k < MLG_PARAMETER_COUNT; k++)
-    par[libmlg_parameter(mlg_parameters[k].name)] = slots[mlg_parameters[k].slot];
-  par[libmlg_parameter("V")] = 30.;
-  for (int i = 0; i < libmlg_states(layout); i++)
-    u[i] = 1e-2 * (1. + 0.37 * i);
-  libmlg_rhs(layout, par, u, f);
-  par[number] *= 1.25;
-  libmlg_rhs(layout, par, u, g);
-  return memcmp(f, g, (size_t)libmlg_states(layout) * sizeof *f) != 0;
+  return libmlg_uses(layout, libmlg_parameter(p->name)) == 1;
 }
 
 /* The value at which an element is as good as absent, or NaN. */

@@ -75,9 +75,12 @@ static int find_parameters(struct rolling *r, const struct af_part *part, const 
       double *par;
 
       if (one->label != part->point[i].label || one->type != part->point[i].type
-          || one->parameters <= mlg_parameters[MLG_PARAMETER_COUNT - 1].slot)
+          || one->parameters <= PAR_M)
         continue;
-      par = must_allocate((size_t)one->parameters * sizeof *par);
+      const size_t slots = one->parameters > MLG_SLOTS ? (size_t)one->parameters : MLG_SLOTS;
+
+      par = must_allocate(slots * sizeof *par); /* what an older solution lacks is 0 */
+      memset(par, 0, slots * sizeof *par);
       known = af_solution_parameters(solutions, one, par, &why) == 0 && is_of_point(part, i, par, one->parameters);
       for (int n = 0; n < MLG_PARAMETER_COUNT && known; n++)
         r->par[parameter_at(mlg_parameters[n].slot + 1)] = par[mlg_parameters[n].slot];

@@ -96,7 +96,7 @@ static void print_curves(const struct arguments *a, const struct libmlg_plane *p
   const int n = libmlg_curves(a->layout, a->par, 0., plane, &curve);
 
   if (n < 0)
-    fail(a->command, MLG_FAILED, "out of memory");
+    fail(a->command, MLG_FAILED, n == LIBMLG_UNSURE ? "whole curves are not known with I_p; hopf, boundary and intervals take it" : "out of memory");
   printf("# Hopf curves: V m/s, c_d N m s/rad, frequency Hz; plane %.6g,%.6g,%.6g,%.6g\n"
          "curve,kind,shimmy,type,V,c_d,frequency_hz\n", plane->V_least, plane->V_top, plane->c_least, plane->c_most);
   for (int i = 0; i < n; i++) {
