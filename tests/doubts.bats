@@ -158,3 +158,20 @@ END
   run -1 mlg curves l1 I_p=5
   [ "$output" = "mlg curves: whole curves are not known with I_p; hopf, boundary and intervals take it" ]
 }
+
+@test "random rows of the table of record, computed anew" {
+  local doubt value layout b k_s c_lo c_hi width n=0 word
+  while IFS=, read -r doubt value layout b k_s c_lo c_hi width; do
+    word=$doubt=$value
+    [ "$doubt" != tyre ] || word=gear=constants/gear.somieski
+    mlg intervals "$layout" k_s="$k_s" b="$b" "$word" | sed 1,2d | sort -t, -k5,5gr | head -n 1 >one
+    if [ "$width" = 0 ]; then
+      [ ! -s one ]
+    else
+      near "$c_lo" "$(cut -d, -f1 one)" 1e-6 "$doubt=$value $layout"
+      near "$c_hi" "$(cut -d, -f2 one)" 1e-6 "$doubt=$value $layout"
+    fi
+    n=$((n + 1))
+  done < <(mlg pick results/doubts.csv where=choice=paper columns=doubt,value,layout,b,k_s,c_lo,c_hi,width | awk -F, 'BEGIN { srand(14) } rand() < 0.25')
+  [ "$n" -ge 15 ]
+}

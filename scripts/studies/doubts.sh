@@ -27,9 +27,9 @@ interval() { # LAYOUT WORD...
   mlg intervals "$@" | awk -F, 'NR > 2 && $5 > width { width = $5; found = $1 "," $2 "," $5 } END { print (found == "" ? ",,0" : found) }'
 }
 
-# c_d,zeta,V,frequency_hz,shimmy of the best c_d
+# c_d,zeta,V,frequency_hz,shimmy of the best c_d; nothing where mlg has no answer
 damped() { # LAYOUT WORD...
-  mlg damping "$1" best "${@:2}" | sed 1d | cut -d, -f1-5
+  { mlg damping "$1" best "${@:2}" || true; } | awk -F, 'NR == 2 { found = $1 "," $2 "," $3 "," $4 "," $5 } END { print (found == "" ? ",,,," : found) }'
 }
 
 # Rows of a layout with the words that make the doubt: at its design, at the k_s of the widest
@@ -89,7 +89,7 @@ tables() {
     "# to LI5: their widest); widest, at the k_s of the widest interval at that b, limit: what ends its growth; damped, at" \
     "# the best k_s. c_lo to c_hi and width N m s/rad, 0 without an interval; c_d the best, zeta the least over V in 0.3..200" \
     "# m/s there, at V m/s with frequency_hz Hz. k_s N m/rad (1e30, inf: rigid), b N m s^2/rad. All exact, by mlg intervals," \
-    "# widest and damping."
+    "# widest and damping; an empty zeta is no answer."
   {
     echo $names
     cat build/tables/doubts.{zB_shared,R_moves,heading,I_p,tyre}.csv
@@ -97,5 +97,6 @@ tables() {
   mlg pick build/tables/doubts.rows.csv head columns=doubt,value,layout,choice,b:.7g,k_s:.7g,c_lo:.8g,c_hi:.8g,width:.7g,limit,c_d:.6g,zeta:.4g,V:.4g,frequency_hz:.5g,shimmy >> "$table.new"
   replace "$table"
 }
+
 
 main doubts "$@"
