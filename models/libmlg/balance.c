@@ -90,13 +90,15 @@ static double share(const struct libmlg_layout *l, const double slots[], int slo
 /* den det of linearised.h, for the gear with the device of slots. */
 static double _Complex characteristic_at(const struct libmlg_layout *l, const double slots[], double _Complex s)
 {
-  const struct gear_matrix g = gear_matrix(slots, slots[PAR_V]);
+  const struct gear_matrix g = gear_matrix(slots);
   const struct network Z = l->network(l, slots);
-  const double _Complex A11 = poly_value(&g.A11, s), A12 = poly_value(&g.A12, s), A22 = poly_value(&g.A22, s);
-  const double _Complex Ls = poly_value(&g.Ls, s), p = poly_value(&g.p, s), tyre = poly_value(&g.tyre, s);
-  const double _Complex whole = A11 * (A22 * tyre + p * g.D2) - A12 * (A12 * tyre + Ls * g.D2) + g.D1 * (A22 * Ls - A12 * p);
+  const double V = slots[PAR_V];
+  const double _Complex A11 = poly_value(&g.A11, s), A22 = poly_value(&g.A22, s);
+  const double _Complex A12 = gear_entry(g.A12, V, s), A21 = gear_entry(g.A21, V, s);
+  const double _Complex q = gear_entry(g.q, V, s), p = gear_entry(g.p, V, s), tyre = gear_entry(g.tyre, V, s);
+  const double _Complex whole = A11 * (A22 * tyre + p * g.D2) - A12 * (A21 * tyre + q * g.D2) + g.D1 * (A22 * q - A21 * p);
 
-  return poly_value(&Z.den, s) * whole + poly_value(&Z.num, s) * (A11 * tyre + Ls * g.D1);
+  return poly_value(&Z.den, s) * whole + poly_value(&Z.num, s) * (A11 * tyre + q * g.D1);
 }
 
 /* The eigenvalue to which so many steps of Newton's method lead from s; 0: to none. */
