@@ -193,17 +193,17 @@ ${3:-memory = 800 MB}"
 }
 
 @test "chains of runs of AUTO: what is read of them, a case that fails is told and stops no other" {
-  auto_sweep chain 3
-  run scripts/sweep.sh run build/chain.sweep jobs=2
+  auto_sweep linked 3
+  run scripts/sweep.sh run build/linked.sweep jobs=2
   [ "$status" -eq 0 ]
-  [ "${lines[-1]}" = "  build/sweeps/chain/table.csv: 2 of 3 cases; 1 failed: build/sweeps/chain/failed.csv" ]
-  [ "$(rows chain failed.csv | sed 1d | cut -d , -f 1-5)" = "1,0.05,2,run,1" ]
-  grep -q 'Restart label HB1 not found' build/sweeps/chain/failed.csv
-  scripts/sweep.sh failed build/chain.sweep | cmp - build/sweeps/chain/failed.csv
+  [ "${lines[-1]}" = "  build/sweeps/linked/table.csv: 2 of 3 cases; 1 failed: build/sweeps/linked/failed.csv" ]
+  [ "$(rows linked failed.csv | sed 1d | cut -d , -f 1-5)" = "1,0.05,2,run,1" ]
+  grep -q 'Restart label HB1 not found' build/sweeps/linked/failed.csv
+  scripts/sweep.sh failed build/linked.sweep | cmp - build/sweeps/linked/failed.csv
   auto_run straight l1.straight e=0.12 c_d=1e4 DSMAX=1 UZSTOP="{'V': 80.0}"
-  near "$(rows chain | sed -n '/^2,/p' | cut -d , -f 3)" "$(value straight HB V)" 1e-7 "the Hopf point of case 2"
-  [ "$(rows chain | sed -n '/^2,/p' | cut -d , -f 5 | awk '{ print ($1 > 0) }')" = 1 ]
-  [ -z "$(find build/sweeps/chain -name 'b.*')" ] && [ -z "$(find build/sweeps/chain -name 'scratch*')" ]
+  near "$(rows linked | sed -n '/^2,/p' | cut -d , -f 3)" "$(value straight HB V)" 1e-7 "the Hopf point of case 2"
+  [ "$(rows linked | sed -n '/^2,/p' | cut -d , -f 5 | awk '{ print ($1 > 0) }')" = 1 ]
+  [ -z "$(find build/sweeps/linked -name 'b.*')" ] && [ -z "$(find build/sweeps/linked -name 'scratch*')" ]
   auto_sweep kept 2 'files = keep'
   scripts/sweep.sh run build/kept.sweep jobs=1
   [ -s build/sweeps/kept/runs/2/shimmy/b.shimmy ]
