@@ -104,7 +104,8 @@ study() { scripts/study.sh "$@" > study.log 2>&1 || { cat study.log; return 1; }
   study behind e=-0.1 layouts=l1,l2 exact
   says behind "No device of these layouts keeps this gear free of shimmy"
   shimmies l1 e=-0.1 c_d=9e3
-  study upright phi=0 layouts=l1 exact
+  study upright phi=0 g_psi=0.001 layouts=l1 exact
+  says upright "Joints: in all that is exact here, g_psi = 0.001 is left out"
   near "$(of upright l1 rigid c_lo)" 3087.8218 1e-6
   shimmies l1 phi=0 c_d=3080
   steady l1 phi=0 c_d=3090
