@@ -13,7 +13,7 @@ load ../scratch
 
 setup_file() {
   export AWAY AUTO
-  scratch demos
+  BATS_TEST_DIRNAME=$BATS_TEST_DIRNAME/.. scratch demos
   cp -rp "$ROOT"/{LICENSE,results} .
   AWAY=$(mktemp -d)
   AUTO=$(sed -n 's/^AUTO_DIR = //p' build/auto.mk)
