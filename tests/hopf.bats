@@ -88,6 +88,11 @@ END
   done
 }
 
+@test "a run with friction is left to AUTO: the library has the gear without" {
+  auto_run own.friction l1.straight T_psi=50 v_f=0.5 -- HB=4 > /dev/null
+  near "$(value own.friction HB V)" 19.632235 1e-6
+}
+
 @test "AUTO alone misses them, which mlg judge says; with UZR on the test functions it finds them" {
   local exe=$PWD/build/models/l1.exe step uzr
   mkdir plain

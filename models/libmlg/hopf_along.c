@@ -95,6 +95,7 @@ int libmlg_hopf_along(int layout, const double par[], int parameter, double from
   struct search s = { .layout = layout, .parameter = parameter, .most = most, .at = at };
   const double lo = fmin(from, to), hi = fmax(from, to);
   const int in_ratio = lo > 0. && hi > 10. * lo;
+  double slots[MLG_SLOTS];
   struct node a, b;
   int status;
 
@@ -102,6 +103,9 @@ int libmlg_hopf_along(int layout, const double par[], int parameter, double from
     return LIBMLG_NONE;
   if (!(lo < hi))
     return 0;
+  libmlg_slots(par, slots);
+  if (mlg_has_laws(slots))
+    return LIBMLG_NONE;
   if (parameter == libmlg_parameter("V") && lo >= 0.)
     return along_axis(par, layout, 1, lo, hi, at, most);
   if (parameter == libmlg_parameter("c_d") && lo >= 0.)
