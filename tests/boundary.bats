@@ -378,6 +378,9 @@ intervals() {
   mkdir -p build/runs
   mlg run good boundary.point model=l2.boundary "$(mlg starts l2 compliance=0.1 c_least=10 c_most=1e6 | head -n 1)" compliance=0.1 DSMAX=0.01 NMX=30 -- EP=1
   mlg agree l2 good
+  # a run of which no point can be compared does not agree
+  mlg run one boundary.point model=l2.boundary "$(mlg starts l2 compliance=0.1 c_least=10 c_most=1e6 | head -n 1)" compliance=0.1 NMX=1 --
+  run -1 mlg agree l2 one
   cp -r build/runs/good build/runs/bad
   for file in b s d c; do mv "build/runs/bad/$file.good" "build/runs/bad/$file.bad"; done
   # the seventh digit of c_1 at a labelled point
@@ -395,6 +398,9 @@ intervals() {
   mlg agree li2 wide
   [ "$(mlg widths wide prefix=li2 | cut -d , -f 2 | xargs)" = '0 10 20' ]
   near "$(mlg widths wide | awk -F, '$1 == 10 { print $5 }')" "$(cell width widest li2 b=10)" 1e-7 "width at b = 10"
+  near "$(mlg widths wide | awk -F, '$1 == 10 { print $3 }')" "$(cell c_lo widest li2 b=10)" 1e-7 "c_lo at b = 10"
+  near "$(mlg widths wide | awk -F, '$1 == 10 { print $4 }')" "$(cell c_hi widest li2 b=10)" 1e-7 "c_hi at b = 10"
+  [ "$(mlg widths wide | cut -d , -f 10 | sort -u)" = 'onset of the delta region' ]
   # the points 1 and 3 change places: onset and upper bound
   mkdir -p build/runs/narrow
   for file in b s d c; do cp "build/runs/wide/$file.wide" "build/runs/narrow/$file.narrow"; done

@@ -49,8 +49,10 @@ ends() {
   # shimmy smaller than a tenth that has not died: not "falls", though it is small
   IFS=, read -r seconds psi dstar rate verdict < <(ends 2745 starts=1 V_top=21)
   echo "$seconds $psi $dstar $rate $verdict"
-  # starts in delta too
-  [ "$(mlg search l1 c_lo=2900 c_hi=2900 starts=3 | sed 1d | awk -F, '$4 > 0.005' | wc -l)" -ge 1 ]
+  # the first start: V = 1 + 199/4, psi 15 (2/5 - 1) and delta* 0.03 (2/11 - 1) with their rates
+  mlg search l1 c_lo=2900 c_hi=2900 starts=1 > first.csv
+  near "$(mlg pick ./first.csv columns=V)" 50.75 1e-12 V
+  near "$(mlg pick ./first.csv columns=dstar_start)" 0.03539 2e-4 "delta* of the first start"
 }
 
 @test "the model gives out where docs/certification.md says, and the command says so" {

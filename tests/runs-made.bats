@@ -442,6 +442,7 @@ marked() {
   [ "$(mlg shimmy psi)" = psi ]
   mlg run delta l1.periodic from=straight IRS="'HB2'" -- closed=1
   [ "$(mlg shimmy delta)" = delta ]
+  [ "$(mlg rows psi columns=shimmy only=TR),$(mlg rows delta columns=shimmy only=TR)" = psi,delta ]
   diff <(mlg rows psi columns=point,V) <(mlg rows psi columns=point,V reverse | tac)
   run ! cmp -s <(mlg rows psi columns=point) <(mlg rows psi columns=point reverse)
 }
