@@ -33,6 +33,7 @@ static int run(int argc, char *argv[])
     return MLG_BAD_INPUT;
   }
   use.layout = layout_of(argv[1], room);
+  use.boundary = strncmp(strrchr(argv[1], '/') ? strrchr(argv[1], '/') + 1 : argv[1], "c.boundary.", 11) == 0;
   for (int i = 2; i < argc; i++)
     if (strncmp(argv[i], "layout=", 7) == 0 && libmlg_layout(argv[i] + 7) != LIBMLG_NONE)
       use.layout = argv[i] + 7;

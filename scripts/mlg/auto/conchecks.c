@@ -75,14 +75,19 @@ static int has_name(const struct items *names, const char *name)
   return 0;
 }
 
-/* parnames: a name of the model stands under its own slot. */
-static void check_parnames(struct constants *c, const struct entry *e, const struct items *parnames)
+/* parnames: a name of the model stands under its own slot; the algebraic problem of a
+ * layout's boundary has unknowns of its own, of which one may be called like a parameter. */
+static void check_parnames(struct constants *c, const struct entry *e, const struct items *parnames, const struct constants_use *use)
 {
+  const int own_names = use && use->boundary;
+
   for (int i = 0; i < parnames->n; i++) {
     const struct item *it = &parnames->item[i];
     const struct mlg_parameter *p = mlg_find(it->value, strlen(it->value));
     long slot;
 
+    if (p && own_names && is_slot(it->key, &slot) && slot != p->slot + 1)
+      p = NULL;
     if (!is_slot(it->key, &slot) || slot < 1)
       bad_input(c, c->file, e->line, "parnames: '%s' is not a slot; expected 1, 2, ...", it->key);
     if (strlen(it->value) > 13)
@@ -279,7 +284,7 @@ void check_constants(struct constants *c, const struct constants_use *use)
 
   if ((e = get_entry(&c->own, "parnames"))) {
     parnames = split(c, e);
-    check_parnames(c, e, &parnames);
+    check_parnames(c, e, &parnames, use);
   }
   if ((e = get_entry(&c->own, "unames")))
     unames = split(c, e);
