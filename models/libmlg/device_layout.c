@@ -164,11 +164,43 @@ const struct device_text *device_of(int layout)
   return device_writable(layout);
 }
 
+/* Takes the next number, or that of the same text, for which d is freed. */
+static int enter(struct device_layout *d, char error[], size_t size)
+{
+  int n = 0;
+
+  d->layout = (struct libmlg_layout){ d->device.text, GEAR_STATES + d->device.order, state, rhs, jacobian, torque,
+                                      network_of, no_corners, 0 };
+  for (struct device_layout *none = NULL; n < MOST_DEVICES; n++, none = NULL) {
+    d->layout.number = n;
+    if (atomic_compare_exchange_strong(&devices[n], &none, d))
+      return libmlg_layouts() + n;
+    if (d->device.whole && strcmp(devices[n]->device.text, d->device.text) == 0) {
+      free(d);
+      return libmlg_layouts() + n;
+    }
+  }
+  free(d);
+  snprintf(error, size, "there are %d networks already", MOST_DEVICES);
+  return LIBMLG_NONE;
+}
+
+int device_rational(int order)
+{
+  struct device_layout *d = calloc(1, sizeof *d);
+  char ignored[1];
+
+  if (!d)
+    return LIBMLG_NONE;
+  d->device.order = order + 1; /* with c_d */
+  d->device.rational.den.coefficient[0] = 1.;
+  return enter(d, ignored, sizeof ignored);
+}
+
 int libmlg_network(const char *text, char error[], size_t size)
 {
   char ignored[1];
   struct device_layout *d = malloc(sizeof *d);
-  int n = 0;
 
   if (size == 0) {
     error = ignored;
@@ -182,18 +214,5 @@ int libmlg_network(const char *text, char error[], size_t size)
     free(d);
     return LIBMLG_NONE;
   }
-  d->layout = (struct libmlg_layout){ d->device.text, GEAR_STATES + d->device.order, state, rhs, jacobian, torque,
-                                      network_of, no_corners, 0 };
-  for (struct device_layout *none = NULL; n < MOST_DEVICES; n++, none = NULL) {
-    d->layout.number = n;
-    if (atomic_compare_exchange_strong(&devices[n], &none, d))
-      return libmlg_layouts() + n;
-    if (strcmp(devices[n]->device.text, text) == 0) {
-      free(d);
-      return libmlg_layouts() + n;
-    }
-  }
-  free(d);
-  snprintf(error, size, "there are %d networks already", MOST_DEVICES);
-  return LIBMLG_NONE;
+  return enter(d, error, size);
 }

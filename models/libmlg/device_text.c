@@ -166,6 +166,8 @@ static struct poly without(struct poly p, int powers)
 
 struct network device_stiffness(const struct device_text *d, const double par[])
 {
+  if (!d->whole)
+    return series(spring(par[PAR_K_PSI]), parallel(damper(par[PAR_C_D]), d->rational));
   const struct network Z = stiffness(d->whole, par);
 
   return (struct network){ without(Z.num, d->common), without(Z.den, d->common) };

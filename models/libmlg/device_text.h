@@ -24,6 +24,7 @@ struct device_text {
   struct part part[2 * DEVICE_ELEMENTS + 2];
   int parts, words;
   const struct part *network, *whole;
+  struct network rational; /* where there is no network: num/den of what stands beside c_d behind k_psi */
   int common; /* powers of s that num and den of `whole` share, whatever the values */
   int order;  /* degree of den without them: the number of its states */
 };
@@ -40,6 +41,11 @@ int device_write(const struct part *tree, char text[], size_t size);
 
 /* The device of a layout number that libmlg_network() gave, or NULL. */
 const struct device_text *device_of(int layout);
+
+/* The number of a device that is no network but any dynamic stiffness, `rational` beside c_d:
+ * its owner sets that, with at most `order` powers of s in den, 1, s, ..., as often as it
+ * likes.  LIBMLG_NONE: out of memory. */
+int device_rational(int order);
 
 /* The same for a search that changes the values of its elements, while nobody else asks. */
 struct device_text *device_writable(int layout);

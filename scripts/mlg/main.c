@@ -41,6 +41,8 @@
   X(draw)           /* gear/draw.c */ \
   X(networks)       /* gear/networks.c */ \
   X(explore)        /* gear/explore.c */ \
+  X(drawings)       /* gear/drawings.c */ \
+  X(passive)        /* gear/passive.c */ \
   X(gear)           /* gear/gear.c */ \
   X(gearinfo)       /* gear/gearinfo.c */ \
   X(constants)      /* auto/checking.c */ \
