@@ -58,6 +58,20 @@ static double damper_at(double x)
   return 10. * pow(1e6, x);
 }
 
+/* The place of a design; of other elements, which have none, x stays. */
+static void place_of(const struct explorer *e, double k_s, double b, double c_d, double x[])
+{
+  const double k_psi = e->par[NUMBER_K_PSI];
+  const double soft = 1. / (1. + e->k_least / k_psi), stiff = 1. / (1. + 1e9 / k_psi);
+  int n = 0;
+
+  if (e->has_k_s)
+    x[n++] = fmax(0., fmin(1., (1. / (1. + k_s / k_psi) - stiff) / (soft - stiff)));
+  if (e->has_b)
+    x[n++] = fmin(1., b / e->b_most);
+  x[n + e->others] = fmax(0., fmin(1., log10(c_d / 10.) / 6.));
+}
+
 static int set_values(struct explorer *e, const double x[])
 {
   int n = 0;
@@ -169,6 +183,7 @@ void explore_zeta(struct explorer *e, int starts, const double given[], double e
       found->lo = found->hi = best.c_d;
       found->k_s = best.k_s;
       found->b = best.b;
+      place_of(e, found->k_s, found->b, found->lo, found->x);
     }
   }
 }
@@ -357,6 +372,26 @@ static void print_row(const char *what, const struct explorer *e, const struct f
   printf("%.10g,%.10g,%d,%d,%d\n", f->lo, f->hi, f->met, f->starts, f->asked);
 }
 
+enum quantity { ZETA, WIDTH, RATIO, LOAD, QUANTITIES };
+
+static const char *const quantity_name[QUANTITIES] = { "zeta", "width", "ratio", "load" };
+
+/* Takes leading words that are quantities; returns how many. */
+static int take_quantities(int argc, char *argv[], bool asked[QUANTITIES])
+{
+  int n = 0;
+
+  for (bool taken = true; taken && n + 2 < argc; n += taken) {
+    taken = false;
+    for (int q = 0; q < QUANTITIES; q++)
+      if (strcmp(argv[n + 2], quantity_name[q]) == 0)
+        taken = asked[q] = true;
+  }
+  for (int q = 0; q < QUANTITIES && n == 0; q++)
+    asked[q] = true;
+  return n;
+}
+
 static int run(int argc, char *argv[])
 {
   enum { B_MOST, STARTS, V_LEAST };
@@ -366,42 +401,56 @@ static int run(int argc, char *argv[])
     [V_LEAST] = { "V_least", "m/s", 0., 1e3, 0.3, NULL },
     { .name = NULL },
   };
-  struct found damped, interval, load;
+  bool asked[QUANTITIES] = { false };
+  struct found damped = { .value = -INFINITY }, interval, load;
+  double given[EXPLORE_VARIABLES];
   struct explorer e;
   struct arguments a;
 
-  read_arguments(&a, argc, argv, option);
+  begin_arguments(&a, argc, argv, option);
+  for (int i = 2 + take_quantities(argc, argv, asked); i < argc; i++)
+    take_word(&a, argv[i]);
+  end_arguments(&a);
   refuse_given(&a, NUMBER_V, "the search is over all speeds");
-  refuse_given(&a, NUMBER_C_D, "the search is over all c_d");
-  refuse_given(&a, NUMBER_K_S, "the search is over all k_s");
-  refuse_given(&a, NUMBER_B, "the search is over all b up to b_most");
   if (!(option[V_LEAST].value < a.V_top))
     fail(argv[0], MLG_BAD_INPUT, "V_least = %g m/s is not below V_top = %g m/s", option[V_LEAST].value, a.V_top);
   explore_begin(&e, a.layout, a.par, option[B_MOST].value, option[V_LEAST].value, a.V_top);
   const int starts = (int)option[STARTS].value;
+  const bool from = a.word[NUMBER_C_D] != NULL;
 
+  if (from)
+    place_of(&e, a.par[NUMBER_K_S], a.par[NUMBER_B], a.par[NUMBER_C_D], given);
   printf("# zeta -, width N m s/rad, ratio -, load N; k_s N m/rad, b N m s^2/rad, c_lo, c_hi N m s/rad\n"
          "quantity,value,k_s,b,c_lo,c_hi,met,starts,asked\n");
-  explore_zeta(&e, starts, NULL, INFINITY, &damped);
-  print_row("zeta", &e, &damped);
-  for (int of_ratio = 0; of_ratio < 2 && damped.value > 0.; of_ratio++) {
-    explore_interval(&e, of_ratio, starts, &interval);
-    print_row(of_ratio ? "ratio" : "width", &e, &interval);
+  if (asked[ZETA] || (asked[LOAD] && !from)) {
+    explore_zeta(&e, starts, from ? given : NULL, INFINITY, &damped);
+    memcpy(given, damped.x, sizeof given);
   }
-  explore_load(&e, damped.x, &load);
-  print_row("load", &e, &load);
+  if (asked[ZETA])
+    print_row("zeta", &e, &damped);
+  for (enum quantity q = WIDTH; q <= RATIO; q++)
+    if (asked[q]) {
+      explore_interval(&e, q == RATIO, starts, &interval);
+      if (interval.value > -INFINITY)
+        print_row(quantity_name[q], &e, &interval);
+    }
+  if (asked[LOAD]) {
+    explore_load(&e, given, &load);
+    print_row("load", &e, &load);
+  }
   return output_status(argv[0]);
 }
 
 const struct command command_explore = {
   .name = "explore",
-  .usage = "LAYOUT [NAME=VALUE ...] [b_most=300] [starts=12] [V_least=0.3]",
+  .usage = "LAYOUT [QUANTITY ...] [NAME=VALUE ...] [b_most=300] [starts=12] [V_least=0.3]",
   .summary = "the best designs of a layout or network, by repeated starts",
   .details =
-    "k_s from 1e4 (from k_d, where k_s alone carries a static torque) to 1e9 N m/rad, b from 0 to\n"
-    "b_most and c_d from 10 to 1e7 N m s/rad, searched by an evolution strategy from random places\n"
-    "(models/libmlg/cma.h); the intervals exactly over k_s, by golden section over b.  CSV, one row for each quantity; no width or ratio where the damping\n"
-    "ratio is below 0:\n"
+    "QUANTITY: zeta, width, ratio, load; all of them without.  k_s from 1e4 (from k_d, where k_s\n"
+    "alone carries a static torque) to 1e9 N m/rad, b from 0 to b_most and c_d from 10 to 1e7\n"
+    "N m s/rad, searched by an evolution strategy from random places (models/libmlg/cma.h); the\n"
+    "intervals exactly over k_s, by golden section over b.  With c_d, and k_s and b, the search\n"
+    "begins at that design, too.  CSV, a row for each, none where there is no interval:\n"
     "  zeta          the largest least damping ratio over V_least < V < V_top\n"
     "  width, ratio  of the widest zero-shimmy interval c_lo to c_hi: c_hi - c_lo, c_hi/c_lo\n"
     "  load          the largest static load F_z, N, with a design without shimmy\n"
