@@ -198,7 +198,9 @@ parts_sections := past tori elsewhere
 parts_sweeps := load map play hopf
 parts_joints := l1 l2 li1 li2 li3
 parts_doubts := zB_shared R_moves heading I_p tyre
-studies := damping transients layouts certify sections sweeps joints doubts
+parts_networks := small
+parts_passive := orders gears
+studies := damping transients layouts certify sections sweeps joints doubts networks passive
 
 # A part of a figure's runs by itself, so that -j2 makes them side by side; the figure.
 define figure_rules
@@ -237,6 +239,8 @@ filmstrip: ## solutions A and B of Figure 6 over a period: the gear from above a
 layouts: ## layouts LI3, LI4 and LI5: diagrams, boundary points, widths (docs/layouts.md)
 damping: ## least damping ratios of every layout, a minute (docs/damping.md)
 transients: ## peaks and settling times after a disturbance, four minutes more (docs/damping.md)
+networks: ## the best designs of every small network, half an hour (docs/networks.md)
+passive: ## the largest damping of any passive device, half an hour (docs/networks.md)
 sections: ## what follows past the torus points of Figure 6 (docs/simulate.md)
 sweeps: ## a million gears over load and tolerance, a map over (e, l), AUTO against the algebra; 15 minutes (docs/sweeps.md)
 joints: ## play, friction and real dampers, six minutes of CPU (docs/joints.md)

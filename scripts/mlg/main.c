@@ -43,6 +43,7 @@
   X(explore)        /* gear/explore.c */ \
   X(drawings)       /* gear/drawings.c */ \
   X(passive)        /* gear/passive.c */ \
+  X(deltamode)      /* gear/deltamode.c */ \
   X(gear)           /* gear/gear.c */ \
   X(gearinfo)       /* gear/gearinfo.c */ \
   X(constants)      /* auto/checking.c */ \

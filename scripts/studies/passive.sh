@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# What no passive device can do: the largest damping ratio by order of the device, and which
+# change of the gear would bring what is usually asked for (docs/networks.md)
+#
+#   scripts/studies/passive.sh      all of it
+#   scripts/studies/passive.sh runs [orders | gears] | tables | draw
+#
+# The search over devices takes minutes for each load; what was found stays.
+#
+# Writes: results/passive.csv, results/passive.png and .svg; build/tables/passive.*.csv
+# Expect: at 200 kN 2.70e-5 for order 1 (L1) and 2.93e-3 for order 4, near the strut's own 2.77e-3;
+#         0.0735 far from all: c_delta of 27 times its value would be needed.
+. "$(dirname "$(realpath "$0")")/../auto/lib.sh"
+
+search=(models/{mlg,network,linearised}.h models/libmlg/{best_ratio,cma,crossing,crossing_roots,device_layout,device_text}.c
+  scripts/mlg/gear/{passive,positive_real,deltamode}.c)
+readonly loads=(180e3 200e3 220e3) names=(c_delta c_psi e l phi l_delta)
+
+runs_orders() {
+  local F_z
+  for F_z in "${loads[@]}"; do
+    made "passive.$F_z" "${search[@]}" -- mlg passive F_z="$F_z" order=4 starts=10
+    made "passive.$F_z.delta" "${search[@]}" -- mlg deltamode F_z="$F_z"
+  done
+}
+
+# Each parameter of the gear times a factor: what the delta mode and the best L1 come to
+changed() {
+  local name value factor zeta
+  echo name,factor,value,strut,locked,any,l1
+  for name in "${names[@]}"; do
+    for factor in 0.25 0.5 1 2 4 8 16 32; do
+      value=$(mlg gearinfo | awk -F, -v name="$name" -v factor=$factor '$1 == name { printf "%.10g", factor * $2 }')
+      zeta=$(mlg deltamode "$name=$value" 2> /dev/null | awk -F, 'NR > 2 { printf "%s,", $2 }')
+      echo "$name,$factor,$value,${zeta:-,,,}$(mlg best l1 V_least=0.3 "$name=$value" 2> /dev/null | awk -F, 'NR == 3 { print $4 }')"
+    done
+  done
+}
+
+runs_gears() { made passive.gears "${search[@]}" -- changed; }
+
+tables() {
+  local F_z
+  begin_table results/passive.csv \
+    "# The largest least damping ratio zeta over V in 0.3..200 m/s of any passive device behind k_psi (docs/networks.md)." \
+    "# case order: of order n, with a static stiffness of at least k_d, x = n; the best of met of starts within 1 %, then refined; K its" \
+    "# static stiffness and Z its dynamic stiffness at 17.5 Hz, N m/rad. delta: the delta mode alone, wheels locked in torsion" \
+    "# (locked) or with the best complex Z (any), and the strut without tyre (strut). gear: a parameter of the gear times the" \
+    "# factor x, at 200 kN, for these and the best L1 (l1). F_z N, V m/s."
+  {
+    echo case,F_z,what,x,zeta,V,frequency_hz,shimmy,K,Z_re,Z_im,met,starts
+    for F_z in "${loads[@]}"; do
+      awk -F, -v OFS=, -v F_z="$F_z" '$1 ~ /^[1-9]/ { print "order", F_z, "passive", $1, sprintf("%.5g,%.5g,%.6g", $2, $3, $4), $5,
+        sprintf("%.6g,%.6g,%.6g", $6, $7, $8), $9, $10 }' "build/tables/passive.$F_z.csv"
+      awk -F, -v OFS=, -v F_z="$F_z" 'NR > 2 { print "delta", F_z, $1, "", sprintf("%.5g", $2), $1 == "strut" ? "" : sprintf("%.5g", $3), "", "delta", "",
+        $1 == "any" ? sprintf("%.6g,%.6g", $4, $5) : ",", "", "" }' "build/tables/passive.$F_z.delta.csv"
+    done
+    awk -F, -v OFS=, 'NR == 1 { for (k = 4; k <= NF; k++) what[k] = $k; next }
+      { for (k = 4; k <= NF; k++) if ($k != "") print "gear", "200e3", $1 " " what[k], $2, sprintf("%.5g", $k), "", "", "", "", "", "", "", "" }' \
+      build/tables/passive.gears.csv
+  } >> "$table.new"
+  replace "$table"
+}
+
+main passive "$@"
