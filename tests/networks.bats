@@ -175,3 +175,71 @@ EOF
   mlg widest l2 F_z="$(awk "BEGIN { print $load * 0.9999 }")" | grep -qv -e ',no interval' -e '^[#k]'
   mlg widest l2 F_z="$(awk "BEGIN { print $load * 1.0001 }")" | grep -q ',no interval'
 }
+
+# rows WHERE...: eight random rows of results/networks.csv as quantity,network,value,k_s,b,c_lo,c_hi
+some_rows() { # QUANTITY
+  awk -F, -v OFS=, -v quantity="$1" 'BEGIN { srand(1402) }
+    $1 == quantity { row[n++] = $4 OFS $6 OFS ($7 == "" ? "inf" : $7) OFS ($8 == "" ? 0 : $8) OFS $9 OFS $10 }
+    END { for (i = 0; i < 8; i++) print row[int(n * rand())] }' "$ROOT/results/networks.csv"
+}
+
+@test "random rows of the table of networks stand before the pencil of nodes: damping" {
+  # the table has seven digits of k_s and c_d, at which two modes share the ratio, and 400 speeds miss the least a little
+  some_rows zeta > rows
+  paste -d ' ' <(awk -F, -v OFS=, '{ print $1, $3, $4, $5 }' rows | oracle least) <(cut -d, -f2 rows) | tee both \
+    | awk '{ if (($1 - $2) ^ 2 > (2e-3 * $2) ^ 2 + 1e-14) { print; exit wrong = 1 } } END { exit wrong || NR != 8 }' || { cat both; false; }
+}
+
+@test "random rows of the table of networks: no shimmy inside the interval, its ends are Hopf points" {
+  local network value k_s b lo hi c
+  some_rows width > rows
+  while IFS=, read -r network value k_s b lo hi; do
+    near "$(awk "BEGIN { printf \"%.10g\", $hi - $lo }")" "$value" 1e-5 "width of $network"
+    for c in 1.001 0.5 0.999; do # within the interval, in the ratio of its ends
+      awk "BEGIN { print ($c > 1 ? $lo * $c : $c < 0.9 ? sqrt($lo * $hi) : $hi * $c) }" | sed "s/^/$network,$k_s,$b,/"
+    done | oracle least | awk -v network="$network" '$1 <= -1e-7 { print network, $0; exit wrong = 1 } END { exit wrong || NR != 3 }'
+    printf '%s\n' "$network,$k_s,$b,$(awk "BEGIN { print $lo * 0.98 }")" "$network,$k_s,$b,$(awk "BEGIN { print $hi * 1.02 }")" \
+      | oracle least | awk -v network="$network" '$1 >= 0 { print network, $0; exit wrong = 1 } END { exit wrong || NR != 2 }'
+  done < rows
+}
+
+@test "random rows of the table of networks: free of shimmy just below the largest load" {
+  some_rows load > rows
+  awk -F, -v OFS=, '{ for (i = 0; i < 60; i++) V = V OFS sprintf("%.6g", 0.3 * exp(6.5 * i / 59)); print $1, $3, $4, $5, 0.999 * $2 V; V = "" }' rows \
+    | oracle least | awk '$1 < 0 { print NR, $0; exit wrong = 1 } END { exit wrong || NR != 8 }'
+}
+
+@test "the table of networks has the paper's layouts as they are known, and no width above that of LI2 at b = 300 but those it ranks" {
+  local layout width
+  while read -r layout width; do
+    near "$(awk -F, -v layout="$layout" '$1 == "width" && $5 == layout { print $6 }' "$ROOT/results/networks.csv")" "$width" 1e-6 "width of $layout"
+  done << 'EOF'
+l1 264.6269
+l2 10226.87
+li1 11244.367
+li2 22353.557
+li3 14101.398
+li4 20740.065
+li5 7847.7306
+EOF
+  awk -F, '!/^#/ && $1 != "quantity" { if ($1 == last && $6 > before) exit 1; if ($1 == last && $2 != rank + 1) exit 1; last = $1; before = $6; rank = $2; n[$1]++ }
+    END { exit n["zeta"] != 35 || n["load"] != 35 || n["width"] != n["ratio"] || n["width"] < 20 }' "$ROOT/results/networks.csv"
+}
+
+@test "every passive device of the table is passive, stiff enough, and as well damped as it says" {
+  awk -F, -v OFS=, '$1 == "order" { print $14, $15, $2 + 0 }' "$ROOT/results/passive.csv" | oracle passive > ours
+  paste -d ' ' ours <(awk -F, '$1 == "order" { print $5 }' "$ROOT/results/passive.csv") \
+    | awk '{ if ($1 + 0 == 0 || ($1 - $2) ^ 2 > (1e-2 * $2) ^ 2 + 1e-14) { print; exit wrong = 1 } } END { exit wrong || NR < 9 }'
+}
+
+@test "no higher order and no smaller load damps less; the search finds L1" {
+  awk -F, '$1 == "order" { if ($2 == F_z && $5 < zeta) { print; exit wrong = 1 } F_z = $2; zeta = $5 } END { exit wrong }' "$ROOT/results/passive.csv"
+  near "$(mlg passive order=1 starts=2 | awk -F, '$1 == 1 { print $2 }')" "$(cell zeta best l1 V_least=0.3)" 1e-3 zeta
+}
+
+@test "the delta mode of locked wheels is that of the gear with a rigid device" {
+  mlg deltamode > found
+  near "$(awk -F, '$1 == "locked" { print $2 }' found)" \
+    "$(awk -F, '$1 == "locked" { print $3 }' found | xargs -I V build/bin/mlg eigenvalues l1 V=V k_psi=1e12 k_d=1e12 c_d=1 \
+      | awk 'NR > 1 && $3 > 16 && $3 < 19 { printf "%.10g", -$1 / sqrt($1 ^ 2 + $2 ^ 2); exit }')" 1e-3 locked
+}

@@ -5,6 +5,9 @@
     networks.py least              for each line TEXT,k_s,b,c_d[,F_z[,V...]] of standard input:
                                    the least damping ratio over these V, m/s, or over 400 of
                                    them from 0.3 to 200 m/s
+    networks.py passive            for each line NUM,DEN,F_z (coefficients, powers of s rising):
+                                   the same, where NUM/DEN is passive and has a static stiffness of
+                                   at least k_d, else why not
 
 A network is a graph: elements between nodes, node 0 the strut, node 1 behind k_psi.  Its
 stiffness comes from the balance of torques at the nodes, not from polynomials; the gear's
@@ -121,6 +124,46 @@ def least(line):
     return min(damping(eigenvalues(text, float(k_s), float(b), float(c_d), v, F_z)) for v in speeds)
 
 
+def gear(F_z):
+    """The matrix of delta, psi and lambda at V = 0 and what V adds to it, as polynomials in s."""
+    p = GEAR
+    s, c = np.sin(p["phi"]), np.cos(p["phi"])
+    et, L = p["e"] + p["R"] * s, p["l_delta"] + p["R"] * c
+    m, kap = p["a"]**2 * p["m_D"] / 4, p["a"]**2 * p["k_t"] / 2
+    A11 = [p["k_delta"] - F_z * L * c + kap * c * c + p["m_D"] * p["g"] * p["l_D"] * c, p["c_delta"],
+           p["J_xi"] + p["m_D"] * p["l_D"]**2 + m * c * c]
+    A12 = [-F_z * et * c + kap * c * s, 0., m * c * s]
+    A22 = [-F_z * et * s + kap * s * s, p["c_psi"], p["J_zeta"] + m * s * s]
+    D1 = F_z * (7 * p["k_lambda"] * L - p["k_alpha"] * s) / p["l"]
+    D2 = F_z * (7 * p["k_lambda"] * et + p["k_alpha"] * c) / p["l"]
+    P = np.polynomial.Polynomial
+    return P(A11), P(A12), P(A22), P([0., L]), lambda V: P([V * c, et - p["h"] * c]), lambda V: P([V / p["l"], 1.]), D1, D2
+
+
+def passive(line):
+    num, den, F_z = line.split(",")
+    P = np.polynomial.Polynomial
+    num, den = (P([float(x) for x in text.split()]) for text in (num, den))
+    s = 1j * np.geomspace(1e-2, 1e6, 4000)
+    impedance = num(s) / den(s) / s
+    if (impedance.real < -1e-9 * abs(impedance)).any():
+        return "active"
+    if len(den.trim().coef) > 1 and (den.roots().real > 0).any():
+        return "unstable"
+    if num(0.) / den(0.) < GEAR["k_d"] * (1 - 1e-9):
+        return "soft"
+    A11, A12, A22, Ls, q, tyre, D1, D2 = gear(float(F_z))
+    whole_num, whole_den = num * GEAR["k_psi"], num + den * GEAR["k_psi"]  # with k_psi
+    worst = 1.
+    for V in np.geomspace(.3, 200., 400):
+        t, p = tyre(V), q(V)
+        free = A11 * (A22 * t + p * D2) - A12 * (A12 * t + Ls * D2) + (A22 * Ls - A12 * p) * D1
+        F = (whole_den * free + whole_num * (A11 * t + Ls * D1)).coef
+        scale = 100.**np.arange(len(F))  # s in units of 100/s
+        worst = min(worst, damping(np.polynomial.polynomial.polyroots(F * scale / abs(F * scale).max())))
+    return "%.8g" % worst
+
+
 PRIME = (1 << 61) - 1
 
 
@@ -181,7 +224,7 @@ def main():
         print(*count(sys.argv[2]))
     else:
         for line in sys.stdin:
-            print("%.10g" % least(line.strip()))
+            print("%.10g" % least(line.strip()) if sys.argv[1] == "least" else passive(line.strip()))
 
 
 if __name__ == "__main__":

@@ -46,17 +46,17 @@ tables() {
     "# case order: of order n, with a static stiffness of at least k_d, x = n; the best of met of starts within 1 %, then refined; K its" \
     "# static stiffness and Z its dynamic stiffness at 17.5 Hz, N m/rad. delta: the delta mode alone, wheels locked in torsion" \
     "# (locked) or with the best complex Z (any), and the strut without tyre (strut). gear: a parameter of the gear times the" \
-    "# factor x, at 200 kN, for these and the best L1 (l1). F_z N, V m/s."
+    "# factor x, at 200 kN, for these and the best L1 (l1). F_z N, V m/s. num, den: coefficients of Z, powers of s rising, SI."
   {
-    echo case,F_z,what,x,zeta,V,frequency_hz,shimmy,K,Z_re,Z_im,met,starts
+    echo case,F_z,what,x,zeta,V,frequency_hz,shimmy,K,Z_re,Z_im,met,starts,num,den
     for F_z in "${loads[@]}"; do
       awk -F, -v OFS=, -v F_z="$F_z" '$1 ~ /^[1-9]/ { print "order", F_z, "passive", $1, sprintf("%.5g,%.5g,%.6g", $2, $3, $4), $5,
-        sprintf("%.6g,%.6g,%.6g", $6, $7, $8), $9, $10 }' "build/tables/passive.$F_z.csv"
+        sprintf("%.6g,%.6g,%.6g", $6, $7, $8), $9, $10, $12, $13 }' "build/tables/passive.$F_z.csv"
       awk -F, -v OFS=, -v F_z="$F_z" 'NR > 2 { print "delta", F_z, $1, "", sprintf("%.5g", $2), $1 == "strut" ? "" : sprintf("%.5g", $3), "", "delta", "",
-        $1 == "any" ? sprintf("%.6g,%.6g", $4, $5) : ",", "", "" }' "build/tables/passive.$F_z.delta.csv"
+        $1 == "any" ? sprintf("%.6g,%.6g", $4, $5) : ",", "", "", "", "" }' "build/tables/passive.$F_z.delta.csv"
     done
     awk -F, -v OFS=, 'NR == 1 { for (k = 4; k <= NF; k++) what[k] = $k; next }
-      { for (k = 4; k <= NF; k++) if ($k != "") print "gear", "200e3", $1 " " what[k], $2, sprintf("%.5g", $k), "", "", "", "", "", "", "", "" }' \
+      { for (k = 4; k <= NF; k++) if ($k != "") print "gear", "200e3", $1 " " what[k], $2, sprintf("%.5g", $k), "", "", "", "", "", "", "", "", "", "" }' \
       build/tables/passive.gears.csv
   } >> "$table.new"
   replace "$table"

@@ -20,20 +20,33 @@ enum { SPEEDS = 60, STEPS = 30, FROM_LOCKED = 6 };
 
 struct delta_mode { double slots[MLG_SLOTS], V_least, V_top, k_psi; double V; };
 
-/* F / Z, which is regular at a compliance 1/Z of 0. */
-static double _Complex F(const struct gear_matrix *g, double _Complex s, double _Complex compliance)
-{
-  const double _Complex A11 = poly_value(&g->A11, s), A12 = poly_value(&g->A12, s), A22 = poly_value(&g->A22, s);
-  const double _Complex Ls = poly_value(&g->Ls, s), p = poly_value(&g->p, s), tyre = poly_value(&g->tyre, s);
-  const double _Complex whole = A11 * (A22 * tyre + p * g->D2) - A12 * (A12 * tyre + Ls * g->D2) + g->D1 * (A22 * Ls - A12 * p);
+/* At one speed. */
+struct gear_polynomials { struct poly whole, minor; double omega; };
 
-  return A11 * tyre + g->D1 * Ls + compliance * whole;
+static struct gear_polynomials gear_at(const double slots[], double V)
+{
+  const struct gear_matrix g = gear_matrix(slots);
+  struct gear_polynomials at = { .omega = sqrt(g.A11.coefficient[0] / g.A11.coefficient[2]) };
+  struct poly whole[GEAR_SPEEDS], minor[GEAR_SPEEDS];
+
+  gear_determinants(slots, whole, minor);
+  for (int v = GEAR_SPEEDS - 1; v >= 0; v--) {
+    at.whole = poly_sum(poly_scaled(at.whole, V), whole[v]);
+    at.minor = poly_sum(poly_scaled(at.minor, V), minor[v]);
+  }
+  return at;
+}
+
+/* F / Z, which is regular at a compliance 1/Z of 0. */
+static double _Complex F(const struct gear_polynomials *g, double _Complex s, double _Complex compliance)
+{
+  return poly_value(&g->minor, s) + compliance * poly_value(&g->whole, s);
 }
 
 /* The delta mode at one speed, followed from that of the strut alone, by Newton's method. */
-static double _Complex mode_at(const struct gear_matrix *g, double _Complex compliance)
+static double _Complex mode_at(const struct gear_polynomials *g, double _Complex compliance)
 {
-  double _Complex s = I * sqrt(g->A11.coefficient[0] / g->A11.coefficient[2]);
+  double _Complex s = I * g->omega;
 
   for (int part = 0; part <= FROM_LOCKED; part++)
     for (int i = 0; i < STEPS; i++) {
@@ -55,7 +68,7 @@ static double least(struct delta_mode *d, double _Complex compliance)
 
   for (int i = 0; i < SPEEDS; i++) {
     const double V = d->V_least * pow(d->V_top / d->V_least, (double)i / (SPEEDS - 1));
-    const struct gear_matrix g = gear_matrix(d->slots, V);
+    const struct gear_polynomials g = gear_at(d->slots, V);
     const double _Complex s = mode_at(&g, compliance);
 
     if (-creal(s) / cabs(s) < zeta) {
@@ -118,7 +131,7 @@ static int run(int argc, char *argv[])
     }
   }
 
-  const struct gear_matrix g = gear_matrix(d.slots, d.V_least);
+  const struct gear_matrix g = gear_matrix(d.slots);
   const double *const A11 = g.A11.coefficient;
 
   printf("# V m/s; Z N m/rad at the delta mode, with k_psi\nwhat,zeta,V,Z_re,Z_im\n");

@@ -128,17 +128,20 @@ int passive_least(struct passive *p, const double y[], struct libmlg_ratio *rati
  * A mode s is a root of F = whole + Z minor, Z of the device with k_psi (linearised.h), so that
  * ds = -minor dZ / F_s. */
 
+/* whole and minor of a gear, by powers of V. */
+struct gear_polynomials { struct poly whole[GEAR_SPEEDS], minor[GEAR_SPEEDS]; };
+
 struct gear_at { double _Complex whole, minor; };
 
-static struct gear_at gear_at(const struct gear_matrix *g, double _Complex s)
+static struct gear_at gear_at(const struct gear_polynomials *g, double V, double _Complex s)
 {
-  const double _Complex A11 = poly_value(&g->A11, s), A12 = poly_value(&g->A12, s), A22 = poly_value(&g->A22, s);
-  const double _Complex Ls = poly_value(&g->Ls, s), q = poly_value(&g->p, s), tyre = poly_value(&g->tyre, s);
+  struct gear_at at = { 0., 0. };
 
-  return (struct gear_at){
-    A11 * (A22 * tyre + q * g->D2) - A12 * (A12 * tyre + Ls * g->D2) + g->D1 * (A22 * Ls - A12 * q),
-    A11 * tyre + g->D1 * Ls,
-  };
+  for (int v = GEAR_SPEEDS - 1; v >= 0; v--) {
+    at.whole = at.whole * V + poly_value(&g->whole[v], s);
+    at.minor = at.minor * V + poly_value(&g->minor[v], s);
+  }
+  return at;
 }
 
 static double _Complex behind_k_psi(const struct passive *p, double _Complex s)
@@ -151,10 +154,11 @@ struct counting { double _Complex s, by_Z; double weight; };
 
 enum { MOST_COUNTING = 400 };
 
-static struct counting counting(const struct passive *p, const struct gear_matrix *g, double _Complex s, double weight)
+static struct counting counting(const struct passive *p, const struct gear_polynomials *g, double V, double _Complex s,
+                                double weight)
 {
   const double step = 1e-5 * cabs(s), size = cabs(s);
-  const struct gear_at here = gear_at(g, s), ahead = gear_at(g, s + step), back = gear_at(g, s - step);
+  const struct gear_at here = gear_at(g, V, s), ahead = gear_at(g, V, s + step), back = gear_at(g, V, s - step);
   const double _Complex F_s = (ahead.whole + behind_k_psi(p, s + step) * ahead.minor - back.whole
                                - behind_k_psi(p, s - step) * back.minor) / (2. * step);
   /* zeta = -Re(s)/|s| */
@@ -170,6 +174,7 @@ double passive_value(struct passive *p, double y[], int n, double slope[])
   double least = HUGE_VAL, sum = 0., slots[MLG_SLOTS];
   static struct { double _Complex s; double zeta, V; } mode[MOST_SPEEDS * CROSSING_TERMS];
   static struct counting count[MOST_COUNTING];
+  struct gear_polynomials g;
   int modes = 0, counts = 0;
 
   for (int i = 0; i < n; i++) /* far beyond any device */
@@ -201,14 +206,12 @@ double passive_value(struct passive *p, double y[], int n, double slope[])
     sum += exp((least - mode[i].zeta) / p->softness);
   if (!slope)
     return least - p->softness * log(sum);
+  gear_determinants(slots, g.whole, g.minor);
   for (int i = 0; i < modes && counts < MOST_COUNTING; i++) {
     const double weight = exp((least - mode[i].zeta) / p->softness) / sum;
 
-    if (weight > 1e-7) {
-      const struct gear_matrix g = gear_matrix(slots, mode[i].V);
-
-      count[counts++] = counting(p, &g, mode[i].s, weight);
-    }
+    if (weight > 1e-7)
+      count[counts++] = counting(p, &g, mode[i].V, mode[i].s, weight);
   }
   for (int i = 0; i < n; i++) {
     const double at = y[i];
