@@ -109,7 +109,7 @@ same_table() {
 }
 
 @test "dampers and inerters alone in series leave no root at 0 behind" {
-  mlg eigenvalues 'k_d|(c_d-b)' V=40 b=10 c_d=2500 | awk 'NR > 1 && $1 ^ 2 + $2 ^ 2 < 1e-12 { exit wrong = 1 } END { exit wrong || NR != 9 }'
+  mlg eigenvalues 'k_d|(c_d-b)' V=40 b=10 c_d=2500 | awk -F, 'NR > 1 && $1 ^ 2 + $2 ^ 2 < 1e-12 { exit wrong = 1 } END { exit wrong || NR != 9 }'
   near "$(cell zeta damping 'k_d|(c_d-b)' b=10 c_d=2500)" "$(cell zeta damping 'k_d|(b-c_d)' b=10 c_d=2500)" 1e-9 zeta
   # with so soft a strut, or so long a lead of the wheels, the gear diverges with any device
   local gear
@@ -232,14 +232,15 @@ EOF
     | awk '{ if ($1 + 0 == 0 || ($1 - $2) ^ 2 > (1e-2 * $2) ^ 2 + 1e-14) { print; exit wrong = 1 } } END { exit wrong || NR < 9 }'
 }
 
-@test "no higher order and no smaller load damps less; the search finds L1" {
+@test "no higher order damps less; the search finds L1" {
   awk -F, '$1 == "order" { if ($2 == F_z && $5 < zeta) { print; exit wrong = 1 } F_z = $2; zeta = $5 } END { exit wrong }' "$ROOT/results/passive.csv"
-  near "$(mlg passive order=1 starts=2 | awk -F, '$1 == 1 { print $2 }')" "$(cell zeta best l1 V_least=0.3)" 1e-3 zeta
+  near "$(mlg passive order=1 starts=2 | awk -F, '$1 == 1 { print $2 }')" "$(cell zeta damping l1 best)" 1e-3 zeta
 }
 
 @test "the delta mode of locked wheels is that of the gear with a rigid device" {
   mlg deltamode > found
-  near "$(awk -F, '$1 == "locked" { print $2 }' found)" \
-    "$(awk -F, '$1 == "locked" { print $3 }' found | xargs -I V build/bin/mlg eigenvalues l1 V=V k_psi=1e12 k_d=1e12 c_d=1 \
-      | awk 'NR > 1 && $3 > 16 && $3 < 19 { printf "%.10g", -$1 / sqrt($1 ^ 2 + $2 ^ 2); exit }')" 1e-3 locked
+  local V
+  V=$(awk -F, '$1 == "locked" { print $3 }' found)
+  near "$(awk -F, '$1 == "locked" { print $2 }' found)" "$(mlg eigenvalues l1 V="$V" k_psi=1e12 k_d=1e12 c_d=1 \
+    | awk -F, 'NR > 1 && $3 > 16 && $3 < 19 { printf "%.10g", -$1 / sqrt($1 ^ 2 + $2 ^ 2); exit }')" 1e-3 locked
 }

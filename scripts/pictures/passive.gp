@@ -1,7 +1,7 @@
 # passive.gp - what no passive device can do, from results/passive.csv (scripts/studies/passive.sh)
 rows(words) = pick("results/passive.csv where=case=".words." columns=x,zeta")
 required = log(4.) / (6. * pi) # a quarter of the amplitude after three cycles
-delta(what) = number("results/passive.csv case=delta F_z=200e3 what=".what." zeta")
+delta(what) = number("passive zeta case=delta F_z=200e3 what=".what)
 array load[3] = ["180e3", "200e3", "220e3"]
 array colour[3] = ["#2a9d5c", "#1f4fd8", "#d62728"]
 do for [ending in "png svg"] {
@@ -13,7 +13,7 @@ do for [ending in "png svg"] {
   set title "(a) any passive device"; set xlabel "order of the device"; set ylabel "least damping ratio ζ over V"
   set xrange [0.6:4.4]; set xtics 1; set key bottom right
   plot for [i=1:3] rows("order where=F_z=".load[i]) with linespoints lc rgb colour[i] lw 2 pt 7 \
-         title sprintf("F_z = %.0f kN", real(load[i]) / 1e3), \
+         title "F_z = ".load[i][1:3]." kN", \
        required with lines lc rgb "#000000" dt (8,4) title "a quarter after three cycles, 0.0735", \
        delta("strut") with lines lc rgb "#7f7f7f" lw 1.5 title "the strut's own damping", \
        delta("locked") with lines lc rgb "#7f7f7f" dt (3,3) lw 1.5 title "wheels locked in torsion"

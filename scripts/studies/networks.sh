@@ -31,7 +31,7 @@ runs_small() {
 ranked() { # QUANTITY
   local number network path layout
   while read -r number network path layout; do
-    awk -F, -v OFS=, -v quantity="$1" -v number="$number" -v network="$network" -v path="$path" -v layout="$layout" '
+    awk -F, -v OFS=, -v quantity="$1" -v number="$number" -v network="$network" -v path="$path" -v layout="${layout#-}" '
       $1 == quantity {
         k_d = 1.09e5
         k = path == "k_d" ? k_d : path == "k_s" ? $3 : path == "k_d|k_s" ? k_d + $3 : k_d * $3 / (k_d + $3)
@@ -48,7 +48,7 @@ tables() {
     "# (docs/networks.md): the best designs by a search over k_s from 1e4 (k_d, where k_s carries alone) to 1e9 N m/rad, b from 0" \
     "# to 300 N m s^2/rad and all c_d, ranked. quantity: width, N m s/rad, and ratio of the zero-shimmy interval c_lo to c_hi where" \
     "# that is largest, exact over k_s, b to 1e-8 of its range; zeta, the largest least damping ratio over V in 0.3..200 m/s," \
-    "# good to 0.1 %; load, N, the largest static load with a design without shimmy, good to 0.01 %. static N m/rad, without k_psi." \
+    "# good to 0.1 %; load, N, the largest static load at which a design without shimmy was found, a bound from below. static N m/rad, without k_psi." \
     "# met of starts: how many came within 1 % of the best (load goes on from the best of zeta alone)."
   {
     echo quantity,rank,number,network,layout,value,k_s,b,c_lo,c_hi,static,met,starts

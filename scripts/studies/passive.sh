@@ -19,7 +19,7 @@ readonly loads=(180e3 200e3 220e3) names=(c_delta c_psi e l phi l_delta)
 runs_orders() {
   local F_z
   for F_z in "${loads[@]}"; do
-    made "passive.$F_z" "${search[@]}" -- mlg passive F_z="$F_z" order=4 starts=10
+    made "passive.$F_z" "${search[@]}" -- mlg passive F_z="$F_z" order=4 starts=24
     made "passive.$F_z.delta" "${search[@]}" -- mlg deltamode F_z="$F_z"
   done
 }
@@ -32,7 +32,7 @@ changed() {
     for factor in 0.25 0.5 1 2 4 8 16 32; do
       value=$(mlg gearinfo | awk -F, -v name="$name" -v factor=$factor '$1 == name { printf "%.10g", factor * $2 }')
       zeta=$(mlg deltamode "$name=$value" 2> /dev/null | awk -F, 'NR > 2 { printf "%s,", $2 }')
-      echo "$name,$factor,$value,${zeta:-,,,}$(mlg best l1 V_least=0.3 "$name=$value" 2> /dev/null | awk -F, 'NR == 3 { print $4 }')"
+      echo "$name,$factor,$value,${zeta:-,,,}$(mlg damping l1 best "$name=$value" 2> /dev/null | awk -F, 'NR == 2 { print $2 }')"
     done
   done
 }

@@ -278,7 +278,35 @@ static struct widest between(struct widest w, double left, double right, double 
   return best;
 }
 
-void explore_interval(struct explorer *e, int of_ratio, int starts, struct found *found)
+/* The same at a place of k_s and b, for a narrow interval that the nodes over k_s may miss. */
+static double at_place(const double x[], void *context)
+{
+  struct widest *const w = context;
+  struct widest here = *w;
+
+  here.size = -INFINITY;
+  set_values(w->e, x);
+  here.b = w->e->par[NUMBER_B];
+  take_interval(&here);
+  if (here.size > w->size)
+    *w = here;
+  return here.size;
+}
+
+/* From a design that has an interval, by the evolution strategy. */
+static void beside(struct widest *best, const double given[])
+{
+  const int n = best->e->has_k_s + best->e->has_b;
+  struct cma_random random = { 3 };
+  double x[EXPLORE_VARIABLES], value;
+
+  memcpy(x, given, sizeof x);
+  for (int k = 0; k < 3 && n > 0; k++)
+    if (cma_largest(at_place, best, n, x, (double[]){ 1e-3, 1e-2, 1e-4 }[k], &random, 200 * n, INFINITY, &value) < 0)
+      fail("explore", MLG_FAILED, "LAPACK failed");
+}
+
+void explore_interval(struct explorer *e, int of_ratio, int starts, const double given[], struct found *found)
 {
   const struct widest none = { .e = e, .of_ratio = of_ratio, .size = -INFINITY };
   const int n = e->has_b ? starts : 1;
@@ -300,6 +328,8 @@ void explore_interval(struct explorer *e, int of_ratio, int starts, struct found
     if (here.size > best.size)
       best = here;
   }
+  if (given)
+    beside(&best, given);
   if (e->has_b && best.size > -INFINITY) {
     struct widest here = between(best, fmax(0., best.b - 0.01 * e->b_most), fmin(e->b_most, best.b + 0.01 * e->b_most), 1e-8, &asked);
 
@@ -430,7 +460,7 @@ static int run(int argc, char *argv[])
     print_row("zeta", &e, &damped);
   for (enum quantity q = WIDTH; q <= RATIO; q++)
     if (asked[q]) {
-      explore_interval(&e, q == RATIO, starts, &interval);
+      explore_interval(&e, q == RATIO, starts, from || asked[ZETA] || asked[LOAD] ? given : NULL, &interval);
       if (interval.value > -INFINITY)
         print_row(quantity_name[q], &e, &interval);
     }

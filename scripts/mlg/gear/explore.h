@@ -31,7 +31,7 @@ int explore_free(struct explorer *e, const char *name);
  * interval, or that of the largest hi/lo, for a network with no other free element; the
  * largest load.  given: a place to begin with, or NULL; of a load it has to be a good one. */
 void explore_zeta(struct explorer *e, int starts, const double given[], double enough, struct found *found);
-void explore_interval(struct explorer *e, int of_ratio, int starts, struct found *found);
+void explore_interval(struct explorer *e, int of_ratio, int starts, const double given[], struct found *found);
 void explore_load(struct explorer *e, const double given[], struct found *found);
 
 #endif
