@@ -17,7 +17,7 @@ do for [ending in "png svg"] {
        required with lines lc rgb "#000000" dt (8,4) title "a quarter after three cycles, 0.0735", \
        delta("strut") with lines lc rgb "#7f7f7f" lw 1.5 title "the strut's own damping", \
        delta("locked") with lines lc rgb "#7f7f7f" dt (3,3) lw 1.5 title "wheels locked in torsion"
-  set title "(b) another gear, F_z = 200 kN: solid the delta mode with the best Z, dotted the best L1"
+  set title "(b) another gear: solid the delta mode, best Z; dotted the best L1"
   set logscale x 2; set xrange [0.25:32]; set xtics auto; set xlabel "parameter / its value"; unset ylabel; set key bottom right
   names = "c_delta c_psi e l phi l_delta"
   plot for [k=1:6] rows(sprintf("gear 'where=what=%s any'", word(names, k))) with lines lc k lw 2 title word(names, k) noenhanced, \
