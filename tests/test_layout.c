@@ -92,6 +92,12 @@ static void random_parameters(double par[])
 #undef X
   par[PAR_V] = uniform(0., 200.);
   par[PAR_PHI] = uniform(-0.3, 0.3);
+  par[PAR_C_D] = log_uniform(10., 1e6);
+  par[PAR_K_S] = log_uniform(1e4, 1e7);
+  par[PAR_B] = log_uniform(1., 1e3);
+
+  const uint64_t before = random_state; /* what follows draws what it drew without doubts */
+
   if (uniform(0., 1.) < 0.5) { /* all doubts */
     par[PAR_ZB_SHARED] = uniform(0., 1.);
     par[PAR_R_MOVES] = uniform(0., 1.);
@@ -99,9 +105,7 @@ static void random_parameters(double par[])
     par[PAR_I_P] = uniform(0., 20.);
     par[PAR_N12_OUT] = uniform(0., 1.);
   }
-  par[PAR_C_D] = log_uniform(10., 1e6);
-  par[PAR_K_S] = log_uniform(1e4, 1e7);
-  par[PAR_B] = log_uniform(1., 1e3);
+  random_state = before;
 }
 
 static void random_state_vector(double u[])
