@@ -87,7 +87,9 @@ static void random_parameters(double par[])
   for (int i = 0; i < SLOTS; i++)
     par[i] = 0.;
   mlg_defaults(par);
-#define X(slot, id, name, unit, value, least, most, meaning) par[PAR_##id] *= uniform(0.7, 1.3);
+#define X(slot, id, name, unit, value, least, most, meaning) \
+  if (PAR_##id < PAR_ZB_SHARED || PAR_##id > PAR_N12_OUT)       \
+    par[PAR_##id] *= uniform(0.7, 1.3);
   MLG_PARAMETERS(X)
 #undef X
   par[PAR_V] = uniform(0., 200.);
