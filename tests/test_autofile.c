@@ -496,7 +496,7 @@ static void a_count_within_tolerance_is_no_change(void **state)
   (void)state;
   for (int missed = 0; missed < 2; missed++) {
     struct text b = TEXT_NONE, d = TEXT_NONE, why = TEXT_NONE;
-    struct judgement out = { TEXT_NONE, TEXT_NONE, TEXT_NONE, 0 };
+    struct judgement out = { .found = TEXT_NONE, .complaints = TEXT_NONE, .damage = TEXT_NONE };
     struct af_branches all;
 
     add_head(&b, 2, 2, 2, 1, 3, "");
