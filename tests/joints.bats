@@ -151,7 +151,40 @@ EOF
   w=$(cell frequency_hz joints l1 at=1 V=60 T_psi=100 v_f=1e-3 c_d=3000)
   near "$(cell c_psi joints l1 at=1 V=60 T_psi=100 v_f=1e-3 c_d=3000)" \
     "$(awk "BEGIN { pi = atan2(0, -1); print 300 + 4 * 100 / (pi * 2 * pi * $w * $psi) }")" 1e-3 "friction: 4 T A a cycle"
+  # an orifice without linear part, c_2 of the mean damping 8/(3 pi) c_2 w A
+  awk -v c="$(cell c_d joints l1 at=1 V=60 c_d=0 c_2=2000)" 'BEGIN { exit !(c > 1500 && c < 8 / (3 * 3.14159) * 2000 * 2 * 3.14159 * 9 * 0.01745) }'
   # twice the play at twice the amplitude is the same gear
   near "$(cell k_psi joints l2 at=2 V=60 k_s=7.86e5 c_d=8000 g_psi=0.02)" \
     "$(cell k_psi joints l2 at=1 V=60 k_s=7.86e5 c_d=8000 g_psi=0.01)" 1e-9 "k_psi"
+}
+
+## Tables of record
+
+@test "samples of the amplitudes of record, by integration from another start" {
+  local layout V g psi k_s b c_d words n=0
+  while IFS=, read -r layout _ V g _ _ psi _; do
+    case $layout in
+      li3) k_s=718567 b=28.77 c_d=10455 ;;
+      *) IFS=, read -r k_s b c_d < <(mlg pick "$ROOT/results/damping.csv" where=layout="$layout" where=choice=middle columns=k_s,b,c_d) ;;
+    esac
+    words=(k_s="$k_s")
+    case $layout in li*) words+=(b="$b") ;; esac
+    near "$(cell psi_max cycle "$layout" "${words[@]}" c_d="$c_d" V="$V" g_psi="$g" psi=0.03 settle=60)" "$psi" 3e-4 "psi of $layout at V = $V, play $g"
+    n=$((n + 1))
+  done < <(awk -F, '/^[^#]/ && $2 == "middle" && $7 > 0 && $3 >= 50 && $3 <= 130' "$ROOT/results/joints.csv" | shuf -n 6 --random-source=<(yes "${SEED:-1}"))
+  [ "$n" -eq 6 ]
+}
+
+@test "samples of the plane of record, by integration: sustained or not" {
+  local V c_d ratio n=0
+  while IFS=, read -r _ V c_d ratio; do
+    if [ "$ratio" = 0 ]; then
+      run mlg cycle l1 c_d="$c_d" V="$V" g_psi=0.00174532925199 psi=0.01 settle=60
+      [ "$status" -eq 1 ] || near "$(tail -n 1 <<<"$output" | cut -d, -f3)" 0.1 1
+    else
+      near "$(cell psi_max cycle l1 c_d="$c_d" V="$V" g_psi=0.00174532925199 psi=0.01 settle=60)" "$(awk "BEGIN { print 0.1 * $ratio }")" 0.25 "psi at V = $V, c_d = $c_d"
+    fi
+    n=$((n + 1))
+  done < <(awk -F, '/^l1,/ && $4 < 6 && $4 != "inf" && $2 > 30' "$ROOT/results/joints_planes.csv" | shuf -n 5 --random-source=<(yes "${SEED:-1}"))
+  [ "$n" -eq 5 ]
 }

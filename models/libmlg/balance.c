@@ -134,7 +134,9 @@ int libmlg_equivalent(int layout, const double par[], double psi, double near_hz
   mlg_at_rest(p);
   p[PAR_K_S3] = p[PAR_K_D3] = 0.;
   for (int e = 0; e < ELEMENTS; e++) /* to begin with */
-    if (has_law(element[e], slots) && element[e] != PAR_C_D)
+    if (has_law(element[e], slots) && element[e] == PAR_C_D)
+      p[PAR_C_D] = fmax(slots[PAR_C_D], 1.); /* an orifice alone has no linear part */
+    else if (has_law(element[e], slots))
       p[element[e]] = fmax(mean_of_element(element[e], slots, psi), 1e-3 * slots[element[e]]);
   for (int i = 0; i < 300; i++) {
     const double _Complex before = s;
@@ -148,7 +150,7 @@ int libmlg_equivalent(int layout, const double par[], double psi, double near_hz
       if (has_law(element[e], slots)) {
         const int slot = element[e];
         const double x = share(l, p, slot, cimag(s)) * psi;
-        const double mean = fmax(mean_of_element(slot, slots, (slot == PAR_C_D ? cimag(s) : 1.) * x), floor * slots[slot]);
+        const double mean = fmax(mean_of_element(slot, slots, (slot == PAR_C_D ? cimag(s) : 1.) * x), floor * fmax(slots[slot], 1.));
         const double next = sqrt(p[slot] * mean); /* half of the way, for all hang together */
 
         change = fmax(change, fabs(log(next / p[slot])));

@@ -174,6 +174,10 @@ int libmlg_cycle(struct libmlg_run *run, int layout, const double par[], const d
       return LIBMLG_FAILED;
     }
   }
+  if (size_of(&m, u) < 1e-6 * before) { /* Newton's method came to rest */
+    c->why = "the oscillation dies out";
+    return LIBMLG_FAILED;
+  }
   if (!(c->error < 1e-5)) {
     c->why = "Newton's method does not converge";
     return LIBMLG_FAILED;

@@ -31,45 +31,53 @@ do for [ending in "png svg"] {
            title sprintf("%.3g", real(word(plays(layout), int(2**(k-1))))*degree), \
          for [k=1:4] cycles(layout, "middle", word(plays(layout), int(2**(k-1)))) using 1:3 with lines lw 1 dt (4,4) lc rgb shade[k]
     unset key
-    # (b) the plane
-    set tmargin at screen 0.635; set bmargin at screen 0.40
-    unset logscale y; set yrange [log10(500):log10(5e4)]
-    set ytics ("0.5" log10(500), "1" 3, "3" log10(3e3), "10" 4, "30" log10(3e4))
-    set title "(b".panel.") ".names[panel]; set ylabel (panel == 1 ? "c_d (kN m s/rad)" : "")
+  }
+  unset logscale y
+  left(k) = 0.05 + 0.32*k; right(k) = 0.31 + 0.32*k
+  array whole[2] = ["l1", "li1"]; array which[2] = [1, 3]
+  # (b) the plane
+  set tmargin at screen 0.635; set bmargin at screen 0.40
+  do for [panel=1:2] {
+    layout = whole[panel]
+    set lmargin at screen left(panel-1); set rmargin at screen right(panel-1)
     do for [k=1:4] {
       set contour base; unset surface; set cntrparam levels discrete (k == 4 ? 100 : 1 + 0.1/(k == 1 ? 0.1 : k == 2 ? 0.25 : 0.5))
-      level = sprintf("$level%d", k)
       if (k == 1) { set table $level1 }; if (k == 2) { set table $level2 }; if (k == 3) { set table $level3 }; if (k == 4) { set table $level4 }
       set autoscale
       splot plane(layout) using 1:(log10($2)):3
       unset table; unset contour; set surface
     }
+    set title sprintf("(b%d) %s: psi 0.1 deg beyond the play", panel, names[which[panel]])
+    set ylabel (panel == 1 ? "c_d (kN m s/rad)" : ""); set xlabel "V (m/s)"
     set xrange [0:200]; set yrange [log10(500):log10(5e4)]
-    if (panel == 1) { set key bottom left samplen 1.5 opaque title "play, deg" }
+    set ytics ("0.5" log10(500), "1" 3, "3" log10(3e3), "10" 4, "30" log10(3e4))
+    set key top right samplen 1.5 opaque title "play, deg"
     plot $level1 using 1:2 with lines lw 2 lc rgb shade[1] title "0.1", $level2 using 1:2 with lines lw 2 lc rgb shade[2] title "0.25", \
-         $level3 using 1:2 with lines lw 2 lc rgb shade[3] title "0.5", $level4 using 1:2 with lines ls 3 title "0"
-    unset key
+         $level3 using 1:2 with lines lw 2 lc rgb shade[3] title "0.5", $level4 using 1:2 with lines ls 3 title "grows without"
   }
-  set tmargin at screen 0.315; set bmargin at screen 0.07
+  set key title ""
   # (c) friction that hides a quarter of a degree
-  set lmargin at screen 0.05; set rmargin at screen 0.27
+  set lmargin at screen left(2); set rmargin at screen right(2)
   set title "(c) friction that stops play of 0.25 deg"; set ylabel "T_{psi} (N m)" offset 1.5,0; set ytics autofreq; set yrange [0:600]
   set key top right samplen 1.5
-  plot for [k=1:5] friction(word(layouts, k)) using 1:2 with lines lw 2 lc rgb colour[k] title names[k]
+  plot for [k=1:2] friction(whole[k]) using 1:2 with lines lw 2 lc rgb colour[which[k]] title names[which[k]]
+  set tmargin at screen 0.315; set bmargin at screen 0.07
   # (d) the plane of friction and play
-  set lmargin at screen 0.31; set rmargin at screen 0.51
-  set title "(d) V = 60 m/s: where it dies out"; set xlabel "play (deg)"; set ylabel "T_{psi} (N m)"; set xrange [0:1.05]; set yrange [-10:510]
-  set key top left opaque samplen 1
-  plot hidden("l1") using ($1*degree):($3 > 0 ? $2 : NaN) with points pt 7 ps 0.9 lc rgb "#d62728" title "L1 shimmies", \
+  set lmargin at screen left(0); set rmargin at screen right(0)
+  set title "(d) V = 60 m/s, L1: where it dies out"; set xlabel "play (deg)"; set xrange [0:1.05]; set yrange [-10:560]
+  set key top left opaque samplen 1 horizontal
+  plot hidden("l1") using ($1*degree):($3 > 0 ? $2 : NaN) with points pt 7 ps 0.9 lc rgb "#d62728" title "shimmies", \
        hidden("l1") using ($1*degree):($3 == 0 ? $2 : NaN) with points pt 6 ps 0.9 lc rgb "#1f4fd8" title "dies out"
+  set key vertical
   # (e) a quadratic damper, (f) a relief valve
-  set lmargin at screen 0.56; set rmargin at screen 0.76
-  set title "(e) quadratic damper"; set xlabel "V (m/s)"; set ylabel "psi (deg)"; set xrange [0:200]; set logscale y; set yrange [1e-2:30]; set ytics ("0.01" 0.01, "0.1" 0.1, "1" 1, "10" 10)
+  set lmargin at screen left(1); set rmargin at screen right(1)
+  set title "(e) quadratic damper: its shimmy"; set xlabel "V (m/s)"; set ylabel "psi (deg)"; set xrange [0:200]; set logscale y
+  set yrange [1e-2:30]; set ytics ("0.01" 0.01, "0.1" 0.1, "1" 1, "10" 10)
   set key top right samplen 1.5
-  plot for [k=1:5] dampers(word(layouts, k), "quadratic", "psi_cycle") using 1:($2 > 0 ? $2 : NaN) with lines lw 2 lc rgb colour[k] title names[k]
-  set lmargin at screen 0.80; set rmargin at screen 0.99
-  set title "(f) relief at 2 kN m: from where it grows"; set ylabel ""; set yrange [0.3:30]; set ytics ("0.3" 0.3, "1" 1, "3" 3, "10" 10, "30" 30)
-  plot for [k=1:5] dampers(word(layouts, k), "relief", "threshold") using 1:($2 > 0 ? $2 : NaN) with lines lw 2 lc rgb colour[k] title names[k]
+  plot for [k=1:2] dampers(whole[k], "quadratic", "psi_cycle") using 1:($2 > 0 ? $2 : NaN) with lines lw 2 lc rgb colour[which[k]] title names[which[k]]
+  set lmargin at screen left(2); set rmargin at screen right(2)
+  set title "(f) relief at 2 kN m: from where it grows"; set yrange [0.3:40]; set ytics ("0.3" 0.3, "1" 1, "3" 3, "10" 10, "30" 30)
+  plot for [k=1:2] dampers(whole[k], "relief", "threshold") using 1:($2 > 0 ? $2 : NaN) with lines lw 2 lc rgb colour[which[k]] title names[which[k]]
   unset multiplot
   unset logscale y
 }

@@ -12,6 +12,7 @@
 
 readonly degree=0.017453292519943295 # rad
 readonly layouts="l1 l2 li1 li2 li3"
+readonly whole="l1 li1" # with planes, friction and dampers, too
 
 # Sets k_s, b, c_d: the middle of the paper's interval (LI3's: docs/layouts.md), or the best damped
 gear() { # LAYOUT CHOICE
@@ -47,6 +48,7 @@ runs_of() { # LAYOUT
     words=("$1" k_s="$k_s" b="$b")
     of "$choice" "$1" mlg joints "${words[@]}" c_d="$c_d" V=10:200:20 g_psi="$(rad 0.125):$(rad 1):8" cycles=1
   done
+  case " $whole " in *" $1 "*) ;; *) return 0 ;; esac
   gear "$1" middle
   words=("$1" k_s="$k_s" b="$b")
   of plane "$1" mlg joints "${words[@]}" g_psi="$(rad 0.1)" V=5:200:40 c_d=500:5e4:40
@@ -73,7 +75,6 @@ at_amplitude() { # DEGREES LAYOUT WORD...
 # Large starts again, with play and friction on
 starts() { # LAYOUT
   local k_s b c_lo c_hi files
-  [ "$1" != li3 ] || return 0
   paper_gear "$1"
   mapfile -t files < <(sources "$1" models/libmlg/{integrate,eigenvalues}.c scripts/mlg/gear/search.c)
   made "joints.starts.$1" "${files[@]}" -- mlg search "$1" k_s="$k_s" b="$b" c_lo="$c_lo" c_hi="$c_hi" \
@@ -100,7 +101,7 @@ tables() {
     "# The plane of V (m/s) and c_d (N m s/rad) at the k_s and b of choice middle: ratio, psi of the largest stable cycle over g_psi," \
     "# by describing functions, the gear linear: the same for any play. 0: no cycle, inf: it grows without play, too." \
     layout,V,c_d,ratio
-  for layout in $layouts; do
+  for layout in $whole; do
     mlg pick "build/tables/joints.plane.$layout.csv" columns=V,c_d,psi | awk -F, -v layout="$layout" \
       '{ printf "%s,%s,%.6g,%s\n", layout, $1, $2, $3 == "inf" ? "inf" : sprintf("%.5g", $3 / 0.1) }' >> "$table.new"
   done
@@ -110,7 +111,7 @@ tables() {
     "# shimmy (T_decay: the least of 41 values up to 600 where no cycle is left, empty: none), by describing functions; and at V = 60" \
     "# the cycle for each T_psi and g_psi: psi deg by describing functions, psi_cycle by integration; 0: it dies out." \
     layout,what,V,g_psi,T_psi,psi,psi_cycle
-  for layout in $layouts; do
+  for layout in $whole; do
     mlg pick "build/tables/joints.friction.$layout.csv" columns=V,T_psi,psi | awk -F, -v layout="$layout" -v g="$(rad 0.25)" '
       $1 != V { if (NR > 1) print layout ",T_decay," V "," g "," T ",,"; V = $1; T = "" }
       $3 != "0" { T = "" } $3 == "0" && T == "" { T = $2 }
@@ -122,22 +123,23 @@ tables() {
     "# quadratic: a damper c_2 without linear part, in the mean the c_d of choice middle at 1 degree and 11 Hz; its stable cycle" \
     "# psi deg over V m/s by describing functions, psi_cycle by integration. at0.1, at1, at5: growth 1/s of the psi and the delta" \
     "# mode at that amplitude of psi, deg. relief: c_d of choice middle with a valve that opens at 2000 N m (c_r = c_d/100, corner" \
-    "# 0.05); threshold deg: psi from which on it grows, 0: from none up to 30 degrees." \
+    "# 0.05); threshold deg: psi from which on it grows, 0: from none up to 30 degrees, empty: not found." \
     layout,what,V,psi,psi_cycle,threshold,growth_psi,growth_delta
-  for layout in $layouts; do
+  for layout in $whole; do
     mlg pick "build/tables/joints.quadratic.$layout.csv" columns=V,psi,psi_cycle | sed "s/^/$layout,quadratic,/; s/$/,,,/" >> "$table.new"
     for play in 0.1 1 5; do
       mlg pick "build/tables/joints.at$play.$layout.csv" columns=V,growth_psi,growth_delta |
         awk -F, -v name="$layout,at$play" '{ print name "," $1 ",,,," $2 "," $3 }' >> "$table.new"
     done
-    mlg pick "build/tables/joints.relief.$layout.csv" columns=V,threshold | sed "s/^\([^,]*\),/$layout,relief,\1,,,/; s/$/,,/" >> "$table.new"
+    mlg pick "build/tables/joints.relief.$layout.csv" columns=V,psi,threshold |
+      awk -F, -v name="$layout,relief" '{ print name "," $1 ",,," ($2 == "inf" && $3 == 0 ? "" : $3) ",," }' >> "$table.new"
   done
   replace "$table"
   begin_table results/joints_starts.csv \
     "# mlg search: 40 large starts in each interval of the paper, with play 0.25 degrees (corner 0.02) and T_psi = 300 N m (v_f 0.05)." \
     "# sustained: did not fall below a tenth of 15 degrees and 0.03 m, or not any more; largest psi_end deg after that." \
     layout,starts,sustained,psi_start,psi_end,seconds
-  for layout in l1 l2 li1 li2; do
+  for layout in $whole; do
     mlg pick "build/tables/joints.starts.$layout.csv" columns=verdict,psi_start,psi_end,seconds | awk -F, -v layout="$layout" '
       { n++; s += $1 != "falls"; for (k = 2; k <= 4; k++) if ($k + 0 > most[k] + 0) most[k] = $k }
       END { print layout "," n "," s + 0 "," most[2] "," most[3] "," most[4] }' >> "$table.new"

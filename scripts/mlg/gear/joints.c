@@ -96,9 +96,11 @@ static void print_by_integration(struct map *m, double guess)
     m->psi = guess;
     memcpy(m->state, c.u, sizeof m->state);
     printf(",%.6g,%.6g,%.4g", c.psi / degree, 1. / c.period, c.largest);
-  } else {
+  } else { /* within the gap nothing holds it up */
+    const bool inside = fabs(m->run.u[PSI]) < 0.5 * m->a.par[NUMBER_G_PSI];
+
     m->psi = 0.;
-    printf(",%s,,", strstr(c.why, "dies out") ? "0" : "");
+    printf(",%s,,", inside || strstr(c.why, "dies out") ? "0" : "");
   }
 }
 
@@ -208,6 +210,6 @@ const struct command command_joints = {
     "largest stable cycle (0: none, inf: it grows), threshold: psi of the smallest unstable\n"
     "cycle (0: none). cycles=1: beside it psi_cycle, hz_cycle and multiplier of the cycle that\n"
     "integration comes to (mlg cycle, rtol 1e-8), settle= seconds from the point before, five\n"
-    "times that from afar; 0: it dies out, empty: not periodic.\n",
+    "times that from afar; 0: it dies out, within the gap at least; empty: not periodic.\n",
   .run = joints,
 };
