@@ -78,7 +78,7 @@ starts() { # LAYOUT
   paper_gear "$1"
   mapfile -t files < <(sources "$1" models/libmlg/{integrate,eigenvalues}.c scripts/mlg/gear/search.c)
   made "joints.starts.$1" "${files[@]}" -- mlg search "$1" k_s="$k_s" b="$b" c_lo="$c_lo" c_hi="$c_hi" \
-    g_psi="$(rad 0.25)" corner=0.02 T_psi=300 v_f=0.05 starts=40
+    g_psi="$(rad 0.25)" corner=0.02 T_psi=300 v_f=0.05 starts=10
 }
 
 for layout in $layouts; do eval "runs_$layout() { runs_of $layout; }"; done
@@ -136,7 +136,7 @@ tables() {
   done
   replace "$table"
   begin_table results/joints_starts.csv \
-    "# mlg search: 40 large starts in each interval of the paper, with play 0.25 degrees (corner 0.02) and T_psi = 300 N m (v_f 0.05)." \
+    "# mlg search: 10 large starts in each interval of the paper, with play 0.25 degrees (corner 0.02) and T_psi = 300 N m (v_f 0.05)." \
     "# sustained: did not fall below a tenth of 15 degrees and 0.03 m, or not any more; largest psi_end deg after that." \
     layout,starts,sustained,psi_start,psi_end,seconds
   for layout in $whole; do
