@@ -10,7 +10,7 @@ cycles(layout, choice, play) = picked(sprintf("results/joints.csv where=layout=%
 plane(layout) = picked(sprintf("results/joints_planes.csv where=layout=%s blocks=V columns=V,c_d,ratio", layout))." | sed 's/inf/1e3/; s/ 0$/ 0.5/'"
 dampers(layout, what, column) = picked(sprintf("results/joints_dampers.csv where=layout=%s where=what=%s columns=V,%s", layout, what, column))
 friction(layout) = picked(sprintf("results/joints_friction.csv where=layout=%s where=what=T_decay where=T_psi!= columns=V,T_psi", layout))
-hidden(layout) = picked(sprintf("results/joints_friction.csv where=layout=%s where=what=map columns=g_psi,T_psi,psi_cycle", layout))
+hidden(layout) = picked(sprintf("results/joints_friction.csv where=layout=%s where=what=map columns=g_psi,T_psi,psi", layout))
 array names[5] = ["L1", "L2", "LI1", "LI2", "LI3"]
 array colour[5] = ["#000000", "#1f4fd8", "#2a9d5c", "#e08214", "#7b3fa0"]
 array shade[4] = ["#9fc5e8", "#3f7fbf", "#0b2f66", "#000000"]
@@ -58,7 +58,7 @@ do for [ending in "png svg"] {
   set key title ""
   # (c) friction that hides a quarter of a degree
   set lmargin at screen left(2); set rmargin at screen right(2)
-  set title "(c) friction that stops play of 0.25 deg"; set ylabel "T_{psi} (N m)" offset 1.5,0; set ytics autofreq; set yrange [0:600]
+  set title "(c) friction that stops play of 0.25 deg"; set ylabel "T_{psi} (N m)" offset 0.5,0; set ytics autofreq; set yrange [0:600]
   set key top right samplen 1.5
   plot for [k=1:2] friction(whole[k]) using 1:2 with lines lw 2 lc rgb colour[which[k]] title names[which[k]]
   set tmargin at screen 0.315; set bmargin at screen 0.07
@@ -74,7 +74,7 @@ do for [ending in "png svg"] {
   set title "(e) quadratic damper: its shimmy"; set xlabel "V (m/s)"; set ylabel "psi (deg)"; set xrange [0:200]; set logscale y
   set yrange [1e-2:30]; set ytics ("0.01" 0.01, "0.1" 0.1, "1" 1, "10" 10)
   set key top right samplen 1.5
-  plot for [k=1:2] dampers(whole[k], "quadratic", "psi_cycle") using 1:($2 > 0 ? $2 : NaN) with lines lw 2 lc rgb colour[which[k]] title names[which[k]]
+  plot for [k=2:2] dampers(whole[k], "quadratic", "psi_cycle") using 1:($2 > 0 ? $2 : NaN) with lines lw 2 lc rgb colour[which[k]] title names[which[k]]
   set lmargin at screen left(2); set rmargin at screen right(2)
   set title "(f) relief at 2 kN m: from where it grows"; set yrange [0.3:40]; set ytics ("0.3" 0.3, "1" 1, "3" 3, "10" 10, "30" 30)
   plot for [k=1:2] dampers(whole[k], "relief", "threshold") using 1:($2 > 0 ? $2 : NaN) with lines lw 2 lc rgb colour[which[k]] title names[which[k]]

@@ -53,9 +53,9 @@ runs_of() { # LAYOUT
   words=("$1" k_s="$k_s" b="$b")
   of plane "$1" mlg joints "${words[@]}" g_psi="$(rad 0.1)" V=5:200:40 c_d=500:5e4:40
   of friction "$1" mlg joints "${words[@]}" c_d="$c_d" g_psi="$(rad 0.25)" v_f=0.01 V=10:200:20 T_psi=0:600:41
-  of hidden "$1" mlg joints "${words[@]}" c_d="$c_d" V=60 v_f=0.01 g_psi="$(rad 0.1):$(rad 1):10" T_psi=0:500:11 cycles=1
+  of hidden "$1" mlg joints "${words[@]}" c_d="$c_d" V=60 v_f=0.01 g_psi="$(rad 0.1):$(rad 1):10" T_psi=0:500:11
   c_2=$(quadratic "$c_d")
-  of quadratic "$1" mlg joints "${words[@]}" c_d=0 c_2="$c_2" V=5:200:40 cycles=1
+  [ "$1" = l1 ] || of quadratic "$1" mlg joints "${words[@]}" c_d=0 c_2="$c_2" V=5:200:40 cycles=1
   for play in 0.1 1 5; do of "at$play" "$1" at_amplitude "$play" "${words[@]}" c_2="$c_2"; done
   of relief "$1" mlg joints "${words[@]}" c_d="$c_d" T_max=2000 c_r="$(awk -v c="$c_d" 'BEGIN { print c / 100 }')" corner=0.05 V=5:200:40
   starts "$1"
@@ -109,14 +109,14 @@ tables() {
   begin_table results/joints_friction.csv \
     "# What friction T_psi (N m, v_f 0.01 rad/s) of the wheel assembly is needed at V m/s so that the play g_psi (rad) sustains no" \
     "# shimmy (T_decay: the least of 41 values up to 600 where no cycle is left, empty: none), by describing functions; and at V = 60" \
-    "# the cycle for each T_psi and g_psi: psi deg by describing functions, psi_cycle by integration; 0: it dies out." \
-    layout,what,V,g_psi,T_psi,psi,psi_cycle
+    "# psi deg of the largest stable cycle for each T_psi and g_psi, by describing functions; 0: it dies out." \
+    layout,what,V,g_psi,T_psi,psi
   for layout in $whole; do
     mlg pick "build/tables/joints.friction.$layout.csv" columns=V,T_psi,psi | awk -F, -v layout="$layout" -v g="$(rad 0.25)" '
-      $1 != V { if (NR > 1) print layout ",T_decay," V "," g "," T ",,"; V = $1; T = "" }
+      $1 != V { if (NR > 1) print layout ",T_decay," V "," g "," T ","; V = $1; T = "" }
       $3 != "0" { T = "" } $3 == "0" && T == "" { T = $2 }
-      END { print layout ",T_decay," V "," g "," T ",," }' >> "$table.new"
-    take hidden "$layout" "$layout,map,60" g_psi,T_psi,psi,psi_cycle
+      END { print layout ",T_decay," V "," g "," T "," }' >> "$table.new"
+    take hidden "$layout" "$layout,map,60" g_psi,T_psi,psi
   done
   replace "$table"
   begin_table results/joints_dampers.csv \
@@ -126,7 +126,7 @@ tables() {
     "# 0.05); threshold deg: psi from which on it grows, 0: from none up to 30 degrees, empty: not found." \
     layout,what,V,psi,psi_cycle,threshold,growth_psi,growth_delta
   for layout in $whole; do
-    mlg pick "build/tables/joints.quadratic.$layout.csv" columns=V,psi,psi_cycle | sed "s/^/$layout,quadratic,/; s/$/,,,/" >> "$table.new"
+    [ "$layout" = l1 ] || mlg pick "build/tables/joints.quadratic.$layout.csv" columns=V,psi,psi_cycle | sed "s/^/$layout,quadratic,/; s/$/,,,/" >> "$table.new"
     for play in 0.1 1 5; do
       mlg pick "build/tables/joints.at$play.$layout.csv" columns=V,growth_psi,growth_delta |
         awk -F, -v name="$layout,at$play" '{ print name "," $1 ",,,," $2 "," $3 }' >> "$table.new"
