@@ -24,7 +24,7 @@ struct search {
   double par[LIBMLG_MOST_PARAMETERS], k_psi, V_least, V_top;
   struct libmlg_box box; /* with c_d as its last */
   struct asked asked[MOST_ASKED];
-  int n;
+  int n, parts;          /* parts: of p at which all corners are tested */
 };
 
 struct best { double p, u, b, c_d; };
@@ -174,7 +174,7 @@ static int ask_predicted(struct search *s, double b)
 
 /* Tests all corners at a design and a hair less than p, and at the parts of p below; the few
  * that fail earliest are asked from now on.  Returns how many are new. */
-static int ask_failing(struct search *s, const struct best *best, int parts)
+static int ask_failing(struct search *s, const struct best *best)
 {
   double par[LIBMLG_MOST_PARAMETERS], p = best->p * (1. - 1e-8);
   const int before = s->n;
@@ -184,7 +184,7 @@ static int ask_failing(struct search *s, const struct best *best, int parts)
   par[s->c_d] = best->c_d;
   const struct box_at d = { s->layout, par, &s->box, s->V_least, s->V_top };
 
-  for (int part = 0; part < parts && s->n == before; part++) {
+  for (int part = 0; part < s->parts && s->n == before; part++) {
     unsigned last[NEW_CORNERS]; /* of those that fail earlier than all before them */
     int failing = 0;
 
@@ -206,42 +206,43 @@ static struct best better(struct best a, struct best b)
   return b.p > a.p ? b : a;
 }
 
-/* Golden section of the largest p from left to right: `at` gives it at one place, whose
- * coordinate is u (along_b 0) or b. */
-static struct best golden(struct search *s, struct best best, double left, double right, double tolerance,
-                          struct best (*at)(struct search *s, double x, double b))
+static struct best at_u(struct search *s, double u, double b, double floor)
 {
-  const double ratio = 0.6180339887498949, b = best.b;
-  double x = right - ratio * (right - left), y = left + ratio * (right - left);
-  struct best at_x = at(s, x, b), at_y = at(s, y, b);
+  return value_at(s, u, b, floor);
+}
+
+/* Golden section of the largest p from left to right: `at` gives it at one place, whose
+ * coordinate is u (at_u) or b, and 0 where it is below `floor`. */
+static struct best golden(struct search *s, struct best best, double left, double right, double tolerance,
+                          struct best (*at)(struct search *s, double x, double b, double floor))
+{
+  const double ratio = 0.6180339887498949, b = best.b, floor = 0.8 * best.p;
+  double x = right - ratio * (right - left), y = left + ratio * (right - left), top = at == at_u ? best.u : best.b;
+  struct best at_x = at(s, x, b, floor), at_y = at(s, y, b, floor);
 
   while (right - left > tolerance) {
     best = better(best, better(at_x, at_y));
-    if (at_x.p > at_y.p) {
+    top = at == at_u ? best.u : best.b;
+    if (at_x.p > at_y.p || (!(at_x.p < at_y.p) && top < y)) { /* both may be below the floor */
       right = y;
       y = x;
       at_y = at_x;
       x = right - ratio * (right - left);
-      at_x = at(s, x, b);
+      at_x = at(s, x, b, floor);
     } else {
       left = x;
       x = y;
       at_x = at_y;
       y = left + ratio * (right - left);
-      at_y = at(s, y, b);
+      at_y = at(s, y, b, floor);
     }
   }
   return best;
 }
 
-static struct best at_u(struct search *s, double u, double b)
-{
-  return value_at(s, u, b, 0.);
-}
-
-/* The best k_s and c_d at one b: of a grid over u, then beside its best; all corners asked in
- * the end. */
-static struct best best_at_b(struct search *s, double b)
+/* The best k_s and c_d at one b, if its p is above `floor`: of a grid over u, then beside its
+ * best; all corners tested in the end. */
+static struct best best_at_b(struct search *s, double b, double floor)
 {
   const int nodes = libmlg_uses(s->layout, s->k_s) == 1 ? NODES_K_S : 1;
   struct best best = { .p = 0., .b = b };
@@ -253,22 +254,22 @@ static struct best best_at_b(struct search *s, double b)
   do {
     best.p = 0.;
     for (int i = 1; i <= nodes; i++)
-      best = better(best, value_at(s, (double)i / nodes, b, best.p));
-  } while (best.p > 0. && ask_failing(s, &best, BOX_PARTS) > 0);
+      best = better(best, value_at(s, (double)i / nodes, b, fmax(best.p, floor)));
+  } while (best.p > 0. && ask_failing(s, &best) > 0);
   if (nodes == 1 || !(best.p > 0.))
     return best;
   const double u = best.u;
 
   do
     best = golden(s, value_at(s, u, b, 0.), fmax(u - 1. / nodes, 1e-6), fmin(u + 1. / nodes, 1.), 1e-7, at_u);
-  while (best.p > 0. && ask_failing(s, &best, BOX_PARTS) > 0);
+  while (best.p > 0. && ask_failing(s, &best) > 0);
   return best;
 }
 
-static struct best at_b(struct search *s, double b, double ignored)
+static struct best at_b(struct search *s, double b, double ignored, double floor)
 {
   (void)ignored;
-  return best_at_b(s, b);
+  return best_at_b(s, b, floor);
 }
 
 static int search_begin(struct search *s, int layout, const double par[], double V_least, double V_top)
@@ -276,7 +277,7 @@ static int search_begin(struct search *s, int layout, const double par[], double
   if (!libmlg_find(layout))
     return LIBMLG_NONE;
   *s = (struct search){ .layout = layout, .k_s = libmlg_parameter("k_s"), .b = libmlg_parameter("b"),
-                        .c_d = libmlg_parameter("c_d"), .V_least = V_least, .V_top = V_top };
+                        .c_d = libmlg_parameter("c_d"), .V_least = V_least, .V_top = V_top, .parts = 1 };
   memcpy(s->par, par, (size_t)libmlg_parameters() * sizeof *par);
   s->k_psi = par[libmlg_parameter("k_psi")];
   return 0;
@@ -293,9 +294,11 @@ int libmlg_most_tolerant(int layout, const double par[], double b_least, double 
   if (search_begin(&s, layout, par, V_least, V_top) != 0)
     return LIBMLG_NONE;
   for (int i = 0; i <= nodes; i++)
-    best = better(best, best_at_b(&s, b_least + i * node));
+    best = better(best, best_at_b(&s, b_least + i * node, 0.8 * best.p)); /* a node may lie off its peak */
   if (nodes > 0 && best.p > 0.)
     best = golden(&s, best, fmax(best.b - node, b_least), fmin(best.b + node, b_most), 1e-3 * node, at_b);
+  s.parts = BOX_PARTS;
+  best = best_at_b(&s, best.b, 0.);
   place(&s, k_s_of(&s, best.u), best.b);
   if (libmlg_uses(layout, s.k_s) != 1)
     s.par[s.k_s] = MLG_RIGID;
@@ -320,7 +323,7 @@ int libmlg_tolerance_map(int layout, const double par[], struct libmlg_design no
     if (s.n > 0 || ask_predicted(&s, node[i].b))
       do
         here = value_at(&s, u, node[i].b, 0.);
-      while (here.p > 0. && ask_failing(&s, &here, 1) > 0);
+      while (here.p > 0. && ask_failing(&s, &here) > 0);
     node[i].p = here.p;
     node[i].c_d = here.c_d;
   }

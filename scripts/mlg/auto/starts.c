@@ -170,6 +170,20 @@ static int exact_points(struct job *j, double k_s, double V_top, struct libmlg_p
   return n;
 }
 
+/* The parameters that the run moves, beside V, c_d and k_s, into the arguments. */
+static void take_parameters(struct job *j, const struct run_data *run, int part, long i)
+{
+  for (int n = 0; n < NUMBERS; n++) {
+    const double value = n == NUMBER_V || n == NUMBER_C_D || n == NUMBER_K_S ? (double)NAN
+                         : n == NUMBER_B ? number_at(run, part, i, "b")
+                         : af_column(&run->all.part[part], libmlg_parameter_quantity(n)->name) >= 0
+                           ? number_at(run, part, i, libmlg_parameter_quantity(n)->name) : (double)NAN;
+
+    if (!isnan(value))
+      j->a.par[n] = value;
+  }
+}
+
 /* The largest difference along a run; complaints on standard error. */
 static double compare_run(struct job *j, const struct run_data *run, double tolerance, long *compared)
 {
@@ -183,11 +197,10 @@ static double compare_run(struct job *j, const struct run_data *run, double tole
     for (char name[16]; snprintf(name, sizeof name, "V_%d", points + 1) > 0 && af_column(p, name) >= 0; points++)
       ;
     for (long i = 1; i < run->ending[part].kept; i++) { /* AUTO does not correct the first */
-      const double k_s = number_at(run, part, i, "k_s"), b = number_at(run, part, i, "b");
+      const double k_s = number_at(run, part, i, "k_s");
       int n;
 
-      if (!isnan(b))
-        j->a.par[NUMBER_B] = b;
+      take_parameters(j, run, part, i);
       n = exact_points(j, k_s, 2. * largest_V(run, part, i, points) + 10., point);
       /* at an onset two exact points are one, to the root of rounding: past it */
       for (int k = 1; k <= points; k++) {
@@ -261,7 +274,8 @@ const struct command command_agree = {
   .usage = "LAYOUT [NAME=VALUE ...] [tolerance=1e-8] RUN ...",
   .summary = "AUTO's boundary points against the exact ones",
   .details =
-    "RUNs of boundary.point, boundary.width or boundary.rival.  Status 1, and a line for each:\n"
+    "RUNs of boundary.point, boundary.width or boundary.rival, over the compliance, b or any\n"
+    "parameter of the gear, M for one.  Status 1, and a line for each:\n"
     "a point that differs by more than the tolerance, relative, in c_d or where that moves\n"
     "faster in k_s, from every exact boundary point; an interval at a labelled point in which\n"
     "there is shimmy.\n",
