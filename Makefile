@@ -200,7 +200,8 @@ parts_joints := l1 l2 li1 li2 li3
 parts_doubts := zB_shared R_moves heading I_p tyre
 parts_networks := small
 parts_passive := orders gears
-studies := damping transients layouts certify sections sweeps joints doubts networks passive
+parts_design := loads tolerance map auto
+studies := damping transients layouts certify sections sweeps joints doubts networks passive design
 
 # A part of a figure's runs by itself, so that -j2 makes them side by side; the figure.
 define figure_rules
@@ -245,6 +246,7 @@ sections: ## what follows past the torus points of Figure 6 (docs/simulate.md)
 sweeps: ## a million gears over load and tolerance, a map over (e, l), AUTO against the algebra; 15 minutes (docs/sweeps.md)
 joints: ## play, friction and real dampers, six minutes of CPU (docs/joints.md)
 doubts: ## what the results hang on: the model's choices, another tyre (docs/doubts.md)
+design: ## designs under loads, tolerances and spreads, and advice (docs/design.md)
 certify: ## do oscillations reach into the zero-shimmy regions? (docs/certification.md)
 
 # --- drawings of the gear and of each layout, docs/drawings ------------------

@@ -21,6 +21,7 @@ export MLG_USES=/dev/null MLG_TIME_LIMIT=${MLG_TIME_LIMIT:-60}
 . scripts/study/pictures.sh
 . scripts/study/words.sh
 . scripts/study/sections.sh
+. scripts/study/advice.sh
 . scripts/study/compare.sh
 
 usage="usage: scripts/study.sh NAME [gear=FILE] [layouts=l1,l2,...] [V_top=200] [b_most=VALUE] [c_d=VALUE] [at=C_D,...] [exact] [PARAMETER=VALUE ...]; scripts/study.sh compare NAME NAME"
@@ -82,7 +83,7 @@ study() { # NAME WORD...
   read_gear
   mkdir -p "$folder"/{runs,keys}
   export MLG_RUNS=$folder/runs MLG_USES=$folder/uses
-  printf '%s\n' scripts/study.sh scripts/study/* scripts/auto/*.sh scripts/pictures/{style,study-*}.gp scripts/report/head.html build/bin/mlg > "$MLG_USES"
+  printf '%s\n' scripts/study.sh scripts/study/* scripts/report/advice.sh scripts/auto/*.sh scripts/pictures/{style,study-*}.gp scripts/report/head.html build/bin/mlg > "$MLG_USES"
   trap 'end_jobs; trap - INT; kill -INT $$' INT
   trap 'end_jobs; exit 143' TERM HUP
   settle_request <<< "$layouts; at $at; $exact; V_top $top; b_most $b_most; own $own_k_s $own_b $own_c_d; $(cat "$folder/gear")"
@@ -92,6 +93,7 @@ study() { # NAME WORD...
   fi
   touch "build/stamps/study.$study.began"
   exact_parts
+  tolerant_designs
   draw_exact
   say "exact parts: $folder/*.plane.svg, designs.csv"
   cycles

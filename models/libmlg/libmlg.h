@@ -478,8 +478,8 @@ int libmlg_best_over_loads(int layout, const double par[], double F_least, doubl
 struct libmlg_load { double F_z, k_s, b; struct libmlg_interval interval; };
 
 /* The largest load up to F_most, N, at which any k_s and b, b_least <= b <= b_most, has a zero-shimmy
- * interval; F_z = 0: none has.  At each k_s the last of 25 loads with one, then bisection above it
- * to 1e-11; over k_s the best of 257 nodes of 1/(1 + k_s/k_psi), over b of 16, each with golden
+ * interval; F_z = 0: none has.  At each k_s the last of 13 loads with one, then bisection above it
+ * to 1e-11; over k_s the best of 129 nodes of 1/(1 + k_s/k_psi), over b of 16, each with golden
  * section beside it.  Returns 0 or LIBMLG_NONE. */
 int libmlg_largest_load(int layout, const double par[], double F_most, double b_least, double b_most, double V_least,
                         double V_top, struct libmlg_load *load);

@@ -143,7 +143,7 @@ int libmlg_best_over_loads(int layout, const double par[], double F_least, doubl
 
 /* --- the largest load ------------------------------------------------------------------------- */
 
-enum { FINE_NODES = 256, NODES_LOAD = 24, NODES_LARGEST_B = 15 };
+enum { FINE_NODES = 128, NODES_LOAD = 12, NODES_LARGEST_B = 15 };
 
 struct largest {
   int layout, k_s, b;
@@ -260,7 +260,7 @@ int libmlg_largest_load(int layout, const double par[], double F_most, double b_
   for (int i = 0; i <= nodes; i++)
     best = larger(best, over_k_s(&s, 0., b_least + i * node, best.F_z * (1. + 1e-12)));
   if (nodes && best.F_z > 0.)
-    best = golden(&s, best, 1, fmax(best.b - node, b_least), fmin(best.b + node, b_most), 1e-5 * node, over_k_s);
+    best = golden(&s, best, 1, fmax(best.b - node, b_least), fmin(best.b + node, b_most), 1e-4 * node, over_k_s);
   *load = (struct libmlg_load){ best.F_z, INFINITY, best.b, best.interval };
   if (libmlg_uses(layout, s.k_s) == 1 && best.u > 0.)
     load->k_s = s.k_psi * (1. / fmin(best.u, 1. - 1e-6) - 1.);

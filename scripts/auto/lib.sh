@@ -157,8 +157,11 @@ write_version() {
   exec 7>&-
 }
 
-# The picture of results/NAME.csv.  On a full disk gnuplot ends with status 0.
-draw() {
+# The picture of results/NAME.csv, and all of a script's, which may have several.
+draw() { draw_picture; }
+
+# On a full disk gnuplot ends with status 0.
+draw_picture() {
   local picture=results/$figure
   [ -s "$picture.csv" ] || fail "$figure: there is no $picture.csv to draw; scripts/$figure.sh tables makes it" 2
   rm -f "$picture".{png,svg,gif}.new

@@ -1,0 +1,33 @@
+# tolerance.gp - tolerances over k_s and b, results/tolerance_map.csv and tolerance.csv
+# (scripts/studies/design.sh)
+set datafile separator whitespace # of gnuplot's own contours
+picked(words) = pick(words)." | tr , ' '"
+map(layout) = picked(sprintf("results/tolerance_map.csv where=layout=%s columns=b,k_s,p blocks=b", layout))
+designs(layout, design) = picked(sprintf("results/tolerance.csv where=layout=%s where=design=%s columns=k_s,b,p", layout, design))
+set palette maxcolors 8 defined (0 "#e3edf8", 1 "#9fc5e8", 2 "#3f7fbf", 3 "#0b2f66")
+do for [ending in "png svg"] {
+  if (ending eq "png") { set terminal pngcairo size 1300,560 font "DejaVu Sans,13" } \
+  else { set terminal svg size 1300,560 font "DejaVu Sans,14" }
+  set output picture(ending)
+  set multiplot
+  do for [panel=1:2] {
+    layout = panel == 1 ? "li1" : "li2"
+    set lmargin at screen 0.06 + 0.48*(panel - 1); set rmargin at screen 0.42 + 0.48*(panel - 1)
+    set tmargin at screen 0.92; set bmargin at screen 0.13
+    set title (panel == 1 ? "(a) LI1" : "(b) LI2") offset 0,-0.6
+    set xrange [log10(panel == 1 ? 1e5 : 3e5):log10(panel == 1 ? 1e6 : 3e6)]
+    set yrange [0:(panel == 1 ? 160 : 300)]
+    set xtics ("0.1" 5, "0.2" log10(2e5), "0.3" log10(3e5), "0.5" log10(5e5), "1" 6, "2" log10(2e6), "3" log10(3e6))
+    set ytics (panel == 1 ? 20 : 50)
+    set cbrange [0:(panel == 1 ? 1.6 : 3.6)]
+    set xlabel "k_s (MN m/rad)" offset 0,0.3; set ylabel "b (N m s^2/rad)" offset 1,0
+    set cblabel "p (%)" offset -1,0
+    set colorbox user origin screen 0.43 + 0.48*(panel - 1),0.13 size screen 0.012,0.79
+    plot map(layout) using (log10($2)):1:($3 > 0 ? $3 : NaN) with image, \
+         designs(layout, "tolerant_b") using (log10($1)):2 with points pt 3 ps 1.6 lw 2 lc rgb "#d62728", \
+         designs(layout, "tolerant") using (log10($1)):2 with points pt 1 ps 1.4 lw 2 lc rgb "#d62728", \
+         designs(layout, "widest") using (log10($1)):2 with points pt 6 ps 1.4 lw 2 lc rgb "#d62728"
+  }
+  unset multiplot
+  unset output
+}
