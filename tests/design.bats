@@ -283,3 +283,73 @@ loads l1 c_delta=0
 loads l1 largest to=1.2e5 c_delta=0
 END
 }
+
+# --- the tables of record -------------------------------------------------------------------------
+
+# sampled FILE N SEED [WHERE...]: so many random rows of a table of results/, without its head
+sampled() {
+  mlg pick "$ROOT/results/$1" "${@:4}" | grep -v '^#' | awk -v n="$2" -v seed="$3" '
+    BEGIN { srand(seed) } { row[++rows] = $0 } END { for (i = 0; i < n; i++) print row[1 + int(rand() * rows)] }'
+}
+
+device_words() { # LAYOUT K_S B
+  case $1 in l1) ;; l2) echo "k_s=${2/inf/1e30}" ;; *) echo "k_s=${2/inf/1e30} b=$3" ;; esac
+}
+
+@test "random rows of results/loads.csv: the oracle finds shimmy outside the interval and none inside" {
+  local layout F k_s b c_lo c_hi zeta c_d
+  while IFS=, read -r layout _ F k_s b c_lo c_hi _ _ c_d zeta _; do
+    mass="M=$(awk "BEGIN { printf \"%.12g\", $F / 9.81 - 500 }")"
+    # shellcheck disable=SC2046
+    {
+      oracle_is_free "$layout" "$mass" c_d="$(awk "BEGIN { print $c_lo * 1.001 }")" $(device_words "$layout" "$k_s" "$b")
+      STEP=0.02 oracle_shimmies "$layout" "$mass" c_d="$(awk "BEGIN { print $c_lo * 0.99 }")" $(device_words "$layout" "$k_s" "$b")
+      [ -z "$zeta" ] || near "$(mlg damping "$layout" F_z="$F" c_d="$c_d" $(device_words "$layout" "$k_s" "$b") | sed -n 2p | cut -d, -f1)" "$zeta" 1e-4 "zeta at F_z = $F of $layout"
+    }
+  done < <(sampled loads.csv 6 1 'where=width>0' where=choice=widest columns=layout,choice,F_z,k_s,b,c_lo,c_hi,width,ratio,c_d,zeta,V)
+}
+
+@test "random rows of results/tolerance.csv: free inside, shimmy beyond the corner that is named" {
+  local layout k_s b c_d p V corner
+  while IFS=, read -r layout _ k_s b c_d p V _ corner _; do
+    # shellcheck disable=SC2046,SC2086
+    {
+      LEAST=$(awk "BEGIN { print $V - 2 }") MOST=$(awk "BEGIN { print $V + 2 }") STEP=0.01 \
+        oracle_shimmies "$layout" $(corner_words "$(awk "BEGIN { print 1.02 * $p }")" $(device_words "$layout" "$k_s" "$b") c_d="$c_d" -- $corner)
+      oracle_is_free "$layout" $(corner_words "$(awk "BEGIN { print 0.98 * $p }")" $(device_words "$layout" "$k_s" "$b") c_d="$c_d" -- $corner)
+    }
+  done < <(sampled tolerance.csv 4 2)
+}
+
+@test "random rows of results/elasticities.csv, tolerance_map.csv and probability.csv" {
+  local layout k_s b c_d name lo hi p V count
+  while IFS=, read -r layout _ k_s b c_d name _ _ lo hi _; do
+    # shellcheck disable=SC2046
+    mlg elasticities "$layout" $(device_words "$layout" "$k_s" "$b") c_d="$c_d" | awk -F, -v name="$name" -v lo="$lo" -v hi="$hi" '
+      $1 == name { n++; bad = ($4 - lo) ^ 2 > 1e-8 * (1 + lo * lo) || ($5 - hi) ^ 2 > 1e-8 * (1 + hi * hi); print } END { exit bad || n != 1 }'
+  done < <(sampled elasticities.csv 5 3)
+  while IFS=, read -r layout k_s b c_d p; do # the first shimmy is not before p, and is a little beyond it
+    # shellcheck disable=SC2046
+    near "$(cell p tolerance "$layout" $(device_words "$layout" "$k_s" "$b") c_d="$c_d" sample=0)" "$p" 2e-3 "p of $layout at k_s = $k_s, b = $b"
+  done < <(sampled tolerance_map.csv 1 4 'where=p>0')
+  # as many of other samples, within five deviations
+  while IFS=, read -r layout _ V count _; do
+    # shellcheck disable=SC2046
+    IFS=, read -r _ k_s b c_d _ < <(mlg pick "$ROOT/results/tolerance.csv" where=layout="$layout" where=design="$(case $layout in li*) echo tolerant_b ;; *) echo tolerant ;; esac)" \
+      columns=layout,k_s,b,c_d,p | grep -v '^#' | tail -n 1)
+    # shellcheck disable=SC2046
+    mlg probability "$layout" $(device_words "$layout" "$k_s" "$b") c_d="$c_d" spread="$ROOT/docs/examples/spread" samples=2000 seed=9 | awk -F, -v V="$V" -v count="$count" '
+      $1 == V { p = count / 1e5; n++; print $0 ", of record " p; bad = ($3 - p) ^ 2 > 25 * (p * (1 - p) + 1e-4) / 2000 } END { exit bad || n != 1 }'
+  done < <(sampled probability.csv 2 5 where=design=tolerant where=V=36)
+}
+
+@test "advice is what its table says, and says when there is none" {
+  # shellcheck source=scripts/report/advice.sh
+  . scripts/report/advice.sh
+  advice_words "$ROOT/results/advice.csv" > words
+  sed -n '6,$p' "$ROOT/results/advice.md" | cmp - words
+  best=$(grep -v '^[#l][a ]' "$ROOT/results/advice.csv" | sort -t, -k5,5g | tail -n 1)
+  grep -q "^\*\*Take $(tr '[:lower:]' '[:upper:]' <<< "${best%%,*}") with" words
+  printf '%s\n%s\n' "$advice_head" 'l1,,,,0,,,,,,,,,,,,,,,,' > none
+  advice_words none | grep -q "No device here"
+}

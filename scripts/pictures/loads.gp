@@ -16,7 +16,7 @@ do for [ending in "png svg"] {
   set logscale y
   do for [panel=1:4] {
     layout = word(layouts, panel)
-    set lmargin at screen 0.055 + 0.24*(panel - 1); set rmargin at screen 0.265 + 0.24*(panel - 1)
+    set lmargin at screen 0.055 + 0.24*(panel - 1); set rmargin at screen 0.255 + 0.24*(panel - 1)
     set tmargin at screen 0.955; set bmargin at screen 0.56
     set title title[panel] offset 0,-0.6
     set yrange [1e3:1e5]
@@ -24,7 +24,7 @@ do for [ending in "png svg"] {
     set xlabel "F_z (kN)" offset 0,0.5
     set ylabel (panel == 1 ? "c_d (kN m s/rad)" : "") offset 1,0
     set arrow 1 from 200, graph 0 to 200, graph 1 nohead lc rgb "#999999" dt (2,3)
-    set label 1 "no shimmy" at 110,6e3 tc rgb "#5a7f5a"
+    set label 1 "no shimmy" at 110,6e3 front tc rgb "#5a7f5a"
     plot with_width(layout, "paper") using (1e-3*$1):2:3 with filledcurves fc rgb "#dcefdc" notitle, \
          with_width(layout, "paper") using (1e-3*$1):2 with lines ls 9, \
          with_width(layout, "paper") using (1e-3*$1):3 with lines ls 9, \
@@ -33,18 +33,18 @@ do for [ending in "png svg"] {
   }
   unset logscale y
   array what[3] = ["paper", "damped", "over"]
-  array heading[3] = ["(b) least ζ: the paper's k_s, middle of its interval", "(c) least ζ: at each load the best k_s and c_d", "(d) least ζ: best over 180 to 210 kN"]
+  array heading[3] = ["(b) the paper's k_s, middle of its interval", "(c) at each load the best k_s and c_d", "(d) the best over 180 to 210 kN"]
   do for [panel=1:3] {
-    set lmargin at screen 0.055 + 0.32*(panel - 1); set rmargin at screen 0.335 + 0.32*(panel - 1)
+    set lmargin at screen 0.07 + 0.325*(panel - 1); set rmargin at screen 0.325 + 0.325*(panel - 1)
     set tmargin at screen 0.44; set bmargin at screen 0.075
     set title heading[panel] offset 0,-0.6
     set xrange [100:250]
     if (panel == 3) { set xrange [180:210]; set xtics 10 } else { set xtics 50 }
     set yrange [-1e-3:(panel == 3 ? 1.5e-3 : 2e-3)]
-    set ytics ("-10^{-3}" -1e-3, "-5·10^{-4}" -5e-4, "0" 0, "5·10^{-4}" 5e-4, "10^{-3}" 1e-3, "1.5·10^{-3}" 1.5e-3, "2·10^{-3}" 2e-3)
-    set ylabel (panel == 1 ? "least ζ over V" : "") offset 1.5,0
-    set key (panel == 1 ? "bottom left" : "off") 
+    set ytics ("-1" -1e-3, "-0.5" -5e-4, "0" 0, "0.5" 5e-4, "1" 1e-3, "1.5" 1.5e-3, "2" 2e-3)
+    set ylabel (panel == 1 ? "least ζ over V (10^{-3})" : "") offset 1,0
     if (panel == 1) { set key on bottom left Left reverse } else { unset key }
+    set arrow 1 from 200, graph 0 to 200, graph 1 nohead lc rgb "#999999" dt (2,3)
     plot 0 with lines lc rgb "#d62728" lw 1 notitle, \
          for [k=1:4] rows(word(layouts, k), what[panel]) using (1e-3*$1):7 with lines lw 2 lc rgb colour[k] title (k < 3 ? (k == 1 ? "L1" : "L2") : (k == 3 ? "LI1" : "LI2"))
   }

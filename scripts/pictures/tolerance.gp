@@ -18,7 +18,7 @@ do for [ending in "png svg"] {
     set xrange [log10(panel == 1 ? 1e5 : 3e5):log10(panel == 1 ? 1e6 : 3e6)]
     set yrange [0:(panel == 1 ? 160 : 300)]
     set xtics ("0.1" 5, "0.2" log10(2e5), "0.3" log10(3e5), "0.5" log10(5e5), "1" 6, "2" log10(2e6), "3" log10(3e6))
-    set ytics (panel == 1 ? 20 : 50)
+    if (panel == 1) { set ytics 20 } else { set ytics 50 }
     set cbrange [0:(panel == 1 ? 1.6 : 3.6)]
     set xlabel "k_s (MN m/rad)" offset 0,0.3; set ylabel "b (N m s^2/rad)" offset 1,0
     set cblabel "p (%)" offset -1,0
