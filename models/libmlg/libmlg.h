@@ -425,8 +425,8 @@ struct libmlg_design { double k_s, b, c_d, p; };
 /* The k_s, c_d and b, b_least <= b <= b_most, of the largest tolerance in libmlg_box_of: p = 0,
  * there is none.  Over c_d exact; at each b over k_s the best of a grid of 64 of
  * 1/(1 + k_s/k_psi), then golden section beside it; over b the best of 16, then golden section
- * beside it, to 1/15000 of the range.  All corners are tested at what is found at each b, in the
- * end at parts of p as well.  Returns 0 or LIBMLG_NONE. */
+ * beside it, to 1/15000 of the range.  All corners are tested at the best of the nodes and at what
+ * is found, there at parts of p as well.  Returns 0 or LIBMLG_NONE. */
 int libmlg_most_tolerant(int layout, const double par[], double b_least, double b_most, double V_least, double V_top,
                          struct libmlg_design *design);
 

@@ -295,10 +295,21 @@ int libmlg_most_tolerant(int layout, const double par[], double b_least, double 
     return LIBMLG_NONE;
   for (int i = 0; i <= nodes; i++)
     best = better(best, best_at_b(&s, b_least + i * node, 0.8 * best.p)); /* a node may lie off its peak */
-  if (nodes > 0 && best.p > 0.)
-    best = golden(&s, best, fmax(best.b - node, b_least), fmin(best.b + node, b_most), 1e-3 * node, at_b);
-  s.parts = BOX_PARTS;
-  best = best_at_b(&s, best.b, 0.);
+  if (!(best.p > 0.)) {
+    design->p = 0.;
+    return 0;
+  }
+  const double left = fmax(best.b - node, b_least), right = fmin(best.b + node, b_most);
+
+  /* along the ridge by the corners known by now, then all of them; again while these know better */
+  for (int asked = -1; asked < s.n;) {
+    asked = s.n;
+    s.parts = 0;
+    if (nodes > 0)
+      best = golden(&s, value_at(&s, best.u, best.b, 0.), left, right, 1e-3 * node, at_b);
+    s.parts = BOX_PARTS;
+    best = best_at_b(&s, best.b, 0.);
+  }
   place(&s, k_s_of(&s, best.u), best.b);
   if (libmlg_uses(layout, s.k_s) != 1)
     s.par[s.k_s] = MLG_RIGID;
