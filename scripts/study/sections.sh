@@ -5,7 +5,7 @@
 # its name in `sections`; its tables come from exact_layout (exact.sh) or from a job of cycles.sh.
 # shellcheck disable=SC2154 # variables of study.sh
 
-sections='head build gear layouts last'
+sections='head build advice gear layouts last'
 
 report() {
   local section
