@@ -26,7 +26,7 @@ do for [ending in "png svg"] {
     set tmargin at screen 0.97 - 0.33*(row - 1); set bmargin at screen 0.705 - 0.33*(row - 1)
     set title title[panel].", ".heading[row] offset 0,-0.6
     set xrange [-limit:limit]
-    if (row < 3) { set xtics 2 } else { set xtics 50 }
+    if (row < 3) { set xtics 2 } else { set xtics 100 }
     set xlabel (row < 3 ? "% of c_d for 1 %" : "% of ζ for 1 %") offset 0,0.5
     unset ytics
     if (panel == 1) { set ytics noenhanced scale 0; do for [i=1:n] { set ytics add (word(order, i) i) } } \

@@ -16,7 +16,7 @@ do for [ending in "png svg"] {
     set tmargin at screen 0.92; set bmargin at screen 0.13
     set title (panel == 1 ? "(a) LI1" : "(b) LI2") offset 0,-0.6
     set xrange [log10(panel == 1 ? 1e5 : 3e5):log10(panel == 1 ? 1e6 : 3e6)]
-    set yrange [0:(panel == 1 ? 160 : 300)]
+    set yrange [-10:(panel == 1 ? 170 : 285)]
     set xtics ("0.1" 5, "0.2" log10(2e5), "0.3" log10(3e5), "0.5" log10(5e5), "1" 6, "2" log10(2e6), "3" log10(3e6))
     if (panel == 1) { set ytics 20 } else { set ytics 50 }
     set cbrange [0:(panel == 1 ? 1.6 : 3.6)]
