@@ -44,7 +44,7 @@ middle() { # LAYOUT K_S B: the middle of the widest interval there
 }
 
 loads_of() { # LAYOUT
-  local layout=$1 b k_s c_lo c_hi
+  local layout=$1 b k_s
   paper_gear "$layout"
   # shellcheck disable=SC2046
   prefixed "$layout,paper" loads "$layout" $(words "$layout" "$k_s" "$b") c_d="$(middle "$layout" "$k_s" "$b")"
@@ -71,7 +71,7 @@ runs_loads() {
 # --- tolerances -------------------------------------------------------------------------------
 
 tolerances_of() { # LAYOUT
-  local layout=$1 b k_s c_lo c_hi
+  local layout=$1 b k_s c_d
   paper_gear "$layout"
   # shellcheck disable=SC2046
   prefixed "$layout,paper" tolerance "$layout" $(words "$layout" "$k_s" "$b")
