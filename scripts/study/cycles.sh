@@ -17,7 +17,7 @@ run_settings() { # FINER < speeds of Hopf points, one a line
       if (n && (V[1] - from) / 3 < step) step = (V[1] - from) / 3
       for (i = 2; i <= n; i++) if ((V[i] - V[i - 1]) / 3 < step) step = (V[i] - V[i - 1]) / 3
       if (step < top / 40000) step = top / 40000
-      printf "V=%.8g DS=%.8g DSMAX=%.8g NMX=%d\n", from, step, step, 3 * top / step + 1000
+      printf "V=%.8g DS=%.8g DSMAX=%.8g NMX=%d\n", from, step, step, 2 * top / step + 1000
     }'
 }
 
