@@ -56,9 +56,10 @@ static void jacobian(const struct libmlg_layout *l, const double par[], const do
   dfdu[DPSI + NDIM * PSI] = omega;
 }
 
+static const struct libmlg_layout oscillator = { .name = "oscillator", .states = NDIM, .rhs = rates, .jacobian = jacobian };
+
 static void is_of_the_normal_form(void **state)
 {
-  const struct libmlg_layout oscillator = { "oscillator", NDIM, NULL, rates, jacobian, NULL, NULL, 0 };
   double par[MLG_SLOTS] = { 0. }, a;
   struct libmlg_mode mode;
 
@@ -77,7 +78,6 @@ static void is_of_the_normal_form(void **state)
 
 static void fifth_order_is_of_the_normal_form(void **state)
 {
-  const struct libmlg_layout oscillator = { "oscillator", NDIM, NULL, rates, jacobian, NULL, NULL, 0 };
   double par[MLG_SLOTS] = { 0. }, a, a_5;
   struct libmlg_mode mode;
 
