@@ -272,7 +272,8 @@ EOF
 }
 
 @test "a Hopf point in the first step, where AUTO does not look" {
-  fails '7 stable eigenvalues become 5 without a label between V = 13.4 *(try another start)*' first l1.straight V=13.4 -- HB=3
+  run -0 scripts/run.sh first l1.straight V=13.4 -- HB=4
+  [[ $output == *'HB 13.4308 HB 25.0908 HB 33.8422 HB 61.6176, with points asked for beside those that AUTO had stepped over' ]]
 }
 
 @test "points missing or too many" {
@@ -590,7 +591,7 @@ readonly minutes=(DSMAX=1e-6 NMX=99999)
 ## Models
 
 @test "a model that does not compile stops a script, and no old one runs" {
-  sed -i 's/T_d = par/T_d = pra/' models/l1.c
+  sed -i 's/T_d = mlg_links(par/T_d = mlg_links(pra/' models/l1.c
   run ! env -u MLG_BUILT MLG_SET_UP=yes scripts/fig06.sh runs c
   [[ $output == *pra* ]]
   [ ! -e build/runs/fig06.c.straight/stamp ] || [ -e all ]

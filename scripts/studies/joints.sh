@@ -41,7 +41,7 @@ quadratic() { awk -v c="$1" -v A=$degree 'BEGIN { pi = atan2(0, -1); printf "%.8
 # Degrees of play in rad, for ranges
 rad() { awk -v x="$1" -v d=$degree 'BEGIN { printf "%.12g", x * d }'; }
 
-runs_of() { # LAYOUT
+laws_of() { # LAYOUT
   local choice k_s b c_d words play c_2
   for choice in middle best; do
     gear "$1" $choice
@@ -81,7 +81,7 @@ starts() { # LAYOUT
     g_psi="$(rad 0.25)" corner=0.02 T_psi=300 v_f=0.05 starts=10
 }
 
-for layout in $layouts; do eval "runs_$layout() { runs_of $layout; }"; done
+for layout in $layouts; do eval "runs_$layout() { laws_of $layout; }"; done
 
 # rows NAME LAYOUT CELLS COLUMNS: the table build/tables/joints.NAME.LAYOUT.csv with CELLS before
 take() { mlg pick "build/tables/joints.$1.$2.csv" columns="$4" | sed "s/^/$3,/" >> "$table.new"; }
