@@ -244,7 +244,7 @@ networks: ## the best designs of every small network, half an hour (docs/network
 passive: ## the largest damping of any passive device, half an hour (docs/networks.md)
 sections: ## what follows past the torus points of Figure 6 (docs/simulate.md)
 sweeps: ## a million gears over load and tolerance, a map over (e, l), AUTO against the algebra; 15 minutes (docs/sweeps.md)
-joints: ## play, friction and real dampers, six minutes of CPU (docs/joints.md)
+joints: ## play, friction and real dampers, some five minutes of a processor (docs/joints.md)
 doubts: ## what the results hang on: the model's choices, another tyre (docs/doubts.md)
 design: ## designs under loads, tolerances and spreads, and advice (docs/design.md)
 certify: ## do oscillations reach into the zero-shimmy regions? (docs/certification.md)

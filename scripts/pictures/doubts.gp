@@ -11,13 +11,13 @@ do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1500,520 font "DejaVu Sans,13" } \
   else { set terminal svg size 1500,520 font "DejaVu Sans,14" }
   set output picture(ending)
-  set multiplot layout 1,4 margins 0.05,0.99,0.15,0.9 spacing 0.035,0
+  set multiplot layout 1,4 margins 0.055,0.99,0.15,0.9 spacing 0.035,0
   set yrange [0:33]
   do for [i=1:4] {
     set title label[i]
     set xrange [0:(i == 4 ? 5 : 1)]
     set xlabel i == 4 ? "I_p (kg m²)" : doubt[i] noenhanced
-    set ylabel i == 1 ? "width (kN m s/rad)" : "" offset 1,0
+    set ylabel i == 1 ? "width (kN m s/rad)" : "" offset -0.3,0
     if (i == 3) { set key top right Right samplen 2 } else { unset key }
     plot for [l in layouts] rows(doubt[i], l, best(l)) using 1:(1e-3*$2) with linespoints lw 2 pt 7 ps 0.7 lc rgb colour(l) title name(l), \
          for [l in "l2 li1 li2"] rows(doubt[i], l, "paper") using 1:(1e-3*$2) with linespoints lw 1.5 dt 2 pt 6 ps 0.7 lc rgb colour(l) title name(l)." of the paper"

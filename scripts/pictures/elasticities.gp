@@ -36,11 +36,11 @@ do for [ending in "png svg"] {
     if (row < 3) {
       plot data using (cut($2, limit)/2.):(at(strcol(1), 0.18)):(abs(cut($2, limit))/2.):(0.16) with boxxyerror lc rgb "#1f4fd8" title "lower bound", \
            data using (cut($3, limit)/2.):(at(strcol(1), -0.18)):(abs(cut($3, limit))/2.):(0.16) with boxxyerror lc rgb "#e08214" title "upper bound", \
-           data using (abs($2) > limit ? sgn($2)*0.9*limit : NaN):(at(strcol(1), 0.18)):(sprintf("%.0f", $2)) with labels font ",8" tc rgb "white" notitle, \
-           data using (abs($3) > limit ? sgn($3)*0.9*limit : NaN):(at(strcol(1), -0.18)):(sprintf("%.0f", $3)) with labels font ",8" tc rgb "white" notitle
+           data using (abs($2) > limit ? -sgn($2)*0.12*limit : NaN):(at(strcol(1), 0.18)):(sprintf("%.0f", $2)) with labels font ",10" notitle, \
+           data using (abs($3) > limit ? -sgn($3)*0.25*limit : NaN):(at(strcol(1), -0.18)):(sprintf("%.0f", $3)) with labels font ",10" notitle
     } else {
       plot data using (cut($4, limit)/2.):(at(strcol(1), 0)):(abs(cut($4, limit))/2.):(0.3) with boxxyerror lc rgb "#2a9d5c" notitle, \
-           data using (abs($4) > limit ? sgn($4)*0.9*limit : NaN):(at(strcol(1), 0)):(sprintf("%.0f", $4)) with labels font ",9" tc rgb "white" notitle
+           data using (abs($4) > limit ? -sgn($4)*0.15*limit : NaN):(at(strcol(1), 0)):(sprintf("%.0f", $4)) with labels font ",10" notitle
     }
   } }
   unset multiplot

@@ -1,7 +1,8 @@
 # joints.gp - what play, friction and real dampers do, from results/joints*.csv
 # (scripts/studies/joints.sh)
 set datafile separator whitespace # of gnuplot's own contours, and so of all that is read here
-picked(words) = pick(words)." | tr , ' '"
+# an empty cell is no number, and not the one after it
+picked(words) = pick(words)." | sed 's/,$/,NaN/; s/,,/,NaN,/g; s/,,/,NaN,/g' | tr , ' '"
 layouts = "l1 l2 li1 li2 li3"
 degree = 180. / pi
 # V and psi of one play of choice middle; values of play as they stand in the table
@@ -21,15 +22,15 @@ do for [ending in "png svg"] {
   set multiplot
   do for [panel=1:5] {
     layout = word(layouts, panel)
-    set lmargin at screen 0.05 + 0.19*(panel-1); set rmargin at screen 0.215 + 0.19*(panel-1)
+    set lmargin at screen 0.05 + 0.19*(panel-1); set rmargin at screen 0.208 + 0.19*(panel-1)
     # (a) amplitude over V
     set tmargin at screen 0.955; set bmargin at screen 0.72
-    set title "(a".panel.") ".names[panel]; set xlabel "V (m/s)" offset 0,0.4; set ylabel (panel == 1 ? "psi (deg)" : "") offset 1.5,0
+    set title "(a".panel.") ".names[panel]; set xlabel "V (m/s)" offset 0,0.4; set ylabel (panel == 1 ? "psi (deg)" : "") offset 1.5,0; set xtics 50
     set logscale y; set xrange [0:200]; set yrange [0.1:20]; set ytics ("0.1" 0.1, "0.3" 0.3, "1" 1, "3" 3, "10" 10)
     if (panel == 1) { set key top right samplen 1.5 title "play, deg" } else { set key noautotitle; unset key }
     plot for [k=1:4] cycles(layout, "middle", word(plays(layout), int(2**(k-1)))) using 1:2 with lines lw 2 lc rgb shade[k] \
            title sprintf("%.3g", real(word(plays(layout), int(2**(k-1))))*degree), \
-         for [k=1:4] cycles(layout, "middle", word(plays(layout), int(2**(k-1)))) using 1:3 with lines lw 1 dt (4,4) lc rgb shade[k]
+         for [k=1:4] cycles(layout, "middle", word(plays(layout), int(2**(k-1)))) using 1:3 with lines lw 1.5 dt (3,3) lc rgb shade[k]
     unset key
   }
   unset logscale y
@@ -64,7 +65,7 @@ do for [ending in "png svg"] {
   set tmargin at screen 0.315; set bmargin at screen 0.07
   # (d) the plane of friction and play
   set lmargin at screen left(0); set rmargin at screen right(0)
-  set title "(d) V = 60 m/s, L1: where it dies out"; set xlabel "play (deg)"; set xrange [0:1.05]; set yrange [-10:560]
+  set title "(d) V = 60 m/s, L1: where it dies out"; set xlabel "play (deg)"; set xtics autofreq; set xrange [0:1.05]; set yrange [-10:560]
   set key top left opaque samplen 1 horizontal
   plot hidden("l1") using ($1*degree):($3 > 0 ? $2 : NaN) with points pt 7 ps 0.9 lc rgb "#d62728" title "shimmies", \
        hidden("l1") using ($1*degree):($3 == 0 ? $2 : NaN) with points pt 6 ps 0.9 lc rgb "#1f4fd8" title "dies out"

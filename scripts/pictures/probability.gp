@@ -20,7 +20,7 @@ do for [ending in "png svg"] {
     set title (panel == 1 ? "(a) the paper's k_s, middle of its interval" : "(b) most tolerant") offset 0,-0.6
     set xlabel "V (m/s)" offset 0,0.3; set ylabel (panel == 1 ? "probability of shimmy" : "") offset 1,0
     if (panel == 1) { set key on top right } else { unset key }
-    plot for [k=1:4] rows(word(layouts, k), design) using 1:(real($3) > 1e-5 ? $3 : 1e-5):4 with filledcurves lc rgb colour[k] notitle, \
+    plot for [k=1:4] rows(word(layouts, k), design) using 1:($2 > 0 ? $2 : NaN):($1 - 0.5):($1 + 0.5):(real($3) > 1e-5 ? $3 : 1e-5):4 with boxxyerror lc rgb colour[k] notitle, \
          for [k=1:4] rows(word(layouts, k), design) using 1:($2 > 0 ? $2 : NaN) with lines lw 2 lc rgb colour[k] title title[k]
   }
   unset multiplot

@@ -12,7 +12,7 @@ do for [ending in "png svg"] {
   set multiplot
   do for [panel=1:2] {
     layout = panel == 1 ? "li1" : "li2"
-    set lmargin at screen 0.06 + 0.48*(panel - 1); set rmargin at screen 0.42 + 0.48*(panel - 1)
+    set lmargin at screen 0.07 + 0.48*(panel - 1); set rmargin at screen 0.42 + 0.48*(panel - 1)
     set tmargin at screen 0.92; set bmargin at screen 0.13
     set title (panel == 1 ? "(a) LI1: tolerance p (%)" : "(b) LI2: tolerance p (%)") offset 0,-0.6
     set xrange [log10(panel == 1 ? 1e5 : 3e5):log10(panel == 1 ? 1e6 : 3e6)]
@@ -20,7 +20,7 @@ do for [ending in "png svg"] {
     set xtics ("0.1" 5, "0.2" log10(2e5), "0.3" log10(3e5), "0.5" log10(5e5), "1" 6, "2" log10(2e6), "3" log10(3e6))
     if (panel == 1) { set ytics 20 } else { set ytics 50 }
     set cbrange [0:(panel == 1 ? 1.6 : 3.6)]
-    set xlabel "k_s (MN m/rad)" offset 0,0.3; set ylabel "b (N m s^2/rad)" offset 1,0
+    set xlabel "k_s (MN m/rad)" offset 0,0.3; set ylabel "b (N m s^2/rad)" offset 0,0
     set colorbox user origin screen 0.43 + 0.48*(panel - 1),0.13 size screen 0.012,0.79
     plot map(layout) using (log10($2)):1:($3 > 0 ? $3 : NaN) with image, \
          designs(layout, "tolerant_b") using (log10($1)):2 with points pt 3 ps 1.6 lw 2 lc rgb "#d62728", \

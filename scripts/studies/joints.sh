@@ -7,7 +7,7 @@
 # Needs:  results/damping.csv
 # Writes: results/joints.csv, joints_planes.csv, joints_friction.csv, joints_dampers.csv,
 #         joints_starts.csv, joints.png and .svg; build/tables/joints.*.csv
-# Expect: with a quarter of a degree of play every design shimmies from 10 to 200 m/s
+# Expect: with a quarter of a degree of play every design shimmies from 10 to 160 m/s
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 
 readonly degree=0.017453292519943295 # rad

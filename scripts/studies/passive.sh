@@ -9,7 +9,7 @@
 #
 # Writes: results/passive.csv, results/passive.png and .svg; build/tables/passive.*.csv
 # Expect: at 200 kN 2.70e-5 for order 1 (L1) and 2.93e-3 for order 4, near the strut's own 2.77e-3;
-#         0.0735 far from all: c_delta of 27 times its value would be needed.
+#         0.0735 far from all: c_delta of 27.5 times its value would be needed.
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 
 search=(models/{mlg,network,linearised}.h models/libmlg/{best_ratio,cma,crossing,crossing_roots,device_layout,device_text}.c
