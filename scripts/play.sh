@@ -16,12 +16,15 @@
 [ $# -ge 4 ] || fail "usage: scripts/play.sh NAME LAYOUT along=PARAMETER to=VALUE [NAME=VALUE ...]" 2
 name=$1 layout=$2 along='' to=''
 check_name "$name"
+[ -f "models/$layout.c" ] || fail "play.sh: there is no models/$layout.c" 2
 shift 2
 cycle=() constants=()
 build
 states=" $(awk -F"'" '/^unames/ { for (k = 2; k < NF; k += 2) print $k }' <(mlg constants constants/c.l1.orbit layout="$layout") | xargs) settle rtol "
 for word; do
   case $word in
+    along=*) [ -z "$along" ] || fail "play.sh: '$word': along is given already" 2 ;;&
+    to=*) [ -z "$to" ] || fail "play.sh: '$word': to is given already" 2 ;;&
     along=*) along=${word#*=} ;;
     to=*) to=${word#*=} ;;
     [A-Z][A-Z]*=*) constants+=("$word") ;;
@@ -32,8 +35,16 @@ for word; do
   esac
 done
 [[ -n $along && -n $to ]] || fail "play.sh: along=PARAMETER and to=VALUE say where the branch goes" 2
+# what the end of the branch would be refused for later: its range, friction without v_f
+others=()
+for word in ${constants[@]+"${constants[@]}"}; do [[ $word == "$along="* ]] || others+=("$word"); done
+mlg constants constants/c.l1.orbit layout="$layout" ${others[@]+"${others[@]}"} "$along=$to" > /dev/null || exit $?
 mkdir -p build/tables
-mlg cycle "$layout" orbit ${cycle[@]+"${cycle[@]}"} > "build/tables/$name.dat.new" || exit $?
+mlg cycle "$layout" orbit ${cycle[@]+"${cycle[@]}"} > "build/tables/$name.dat.new" || {
+  status=$?
+  rm -f "build/tables/$name.dat.new"
+  exit $status
+}
 mv "build/tables/$name.dat.new" "build/tables/$name.dat"
 
 # where it begins, and which way it goes; a step is a hundredth of the way at most
@@ -42,8 +53,9 @@ read -r from step weight <<< "$(mlg constants "constants/c.l1.orbit" layout="$la
     /^PAR = / && match($0, "\047" along "\047: *[^,}]*") { from = substr($0, RSTART, RLENGTH); sub(/.*: */, "", from) }
     END {
       far = to - from
-      print from + 0, far < 0 ? -0.002 : 0.002, far == 0 ? 1 : 1 / far ^ 2
+      print from + 0, far < 0 ? -0.002 : 0.002, far == 0 ? 0 : 1 / far ^ 2
     }')"
+[ "$weight" != 0 ] || fail "play.sh: '$along=$to' is where the branch begins; to= says where it goes" 2
 run "$name" "$layout.orbit" dat="build/tables/$name.dat" ${constants[@]+"${constants[@]}"} \
   ICP="['$along', 'period', 'psi_max', 'dstar_max']" THL="{'$along': $weight, 'period': 0.0}" \
   DS="$step" DSMAX=0.02 UZSTOP="{'$along': $to}" --

@@ -288,6 +288,17 @@ EOF
   fails 'The solution file * could not be found; AUTO computed no solution; expected 1 UZ, found 0' start l1.hopf -- UZ=1
 }
 
+@test "an IRS that names no solution, and a STOP that no point ends" {
+  local wrong
+  for wrong in "'HB0'" "'HB'" HB "'HB-1'" "'HB1x'" "'hb1'" "['HB1']" 1.5 00 -0 "''"; do
+    refuses "*constants/c.l1.periodic: IRS = $(printf %q "$wrong"): expected a label, or a type of point*" \
+      auto_run a l1.periodic from=straight IRS="$wrong" --
+  done
+  refuses "*STOP: 'HB0' is no type of point*" auto_run a l1.periodic from=straight STOP="['HB0']" --
+  refuses "*SP: 'HB1x' is no type of point*" auto_run a l1.periodic from=straight SP="['HB1x']" --
+  [ ! -e build/runs/a ]
+}
+
 @test "a run to start from, and IRS = 0, which starts anew" {
   local why="a: from=straight starts anew because IRS = 0 in *; say which solution, as IRS=\"'HB1'\""
   refuses "${why/\*/constants/c.l1.straight}" auto_run a l1.straight from=straight --

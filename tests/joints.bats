@@ -54,8 +54,36 @@ designs() { # the paper's, each in the middle of its interval
   refuses "*g_psi = -0.01 rad is outside its range, 0 to 1*" mlg constants constants/c.l1.straight g_psi=-0.01
   refuses "*T_f, T_psi) needs v_f above 0*" mlg constants constants/c.l1.straight T_f=5
   refuses "*no orbit to start from, dat = 'nowhere.dat'*" auto_run a l1.orbit dat=nowhere.dat --
+  refuses "*'V=-5:20:3': outside its range, 0 to 1000 m/s" mlg joints l1 V=-5:20:3
+  refuses "*'V=20:2000:3': outside its range*" mlg joints l1 V=20:2000:3
+  refuses "*T_f, T_psi) needs v_f above 0*" mlg joints l1 v_f=0:1:2 T_psi=0:100:2
+  refuses "*delta=0 psi=3: an angle beyond pi/2" mlg cycle l1 V=60 psi=3
   run -1 mlg cycle l1 V=60 c_d=2890 psi=0.05 settle=1e3 # the paper's design without play
   [ "$output" = "mlg cycle: the oscillation dies out" ]
+}
+
+@test "play.sh refuses in one line, before it integrates, and leaves nothing" {
+  local words="V=60 c_d=2890 corner=0.005 $worn"
+  cd "$ROOT" || return
+  # shellcheck disable=SC2086 # words
+  {
+    refuses "*there is no models/l9.c" scripts/play.sh wrong l9 along=T_psi to=300 $words
+    refuses "*'to=2': to is given already" scripts/play.sh wrong l1 along=T_psi to=300 to=2 $words
+    refuses "*T_psi = nan is not a finite number" scripts/play.sh wrong l1 along=T_psi to=nan v_f=0.05 $words
+    refuses "*T_psi = -5 N m is outside its range*" scripts/play.sh wrong l1 along=T_psi to=-5 v_f=0.05 $words
+    refuses "*T_f, T_psi) needs v_f above 0*" scripts/play.sh wrong l1 along=T_psi to=300 $words
+    refuses "*'nosuch' is neither an AUTO constant nor a parameter*" scripts/play.sh wrong l1 along=nosuch to=3 $words
+    run -1 scripts/play.sh wrong l1 along=T_psi to=300 v_f=0.05 V=60 c_d=2890 psi=0.05 settle=1e3 # dies out
+  }
+  [ -z "$(find build/tables build/runs -name 'wrong*')" ]
+}
+
+@test "the tolerance of a step is what rtol says" {
+  local rough fine
+  rough=$(mlg cycle l1 V=60 c_d=2890 $worn rtol=1e-7 | awk -F, 'NR == 3 { print $1 }')
+  fine=$(mlg cycle l1 V=60 c_d=2890 $worn | awk -F, 'NR == 3 { print $1 }')
+  [ "$rough" != "$fine" ]
+  awk -v a="$rough" -v b="$fine" 'BEGIN { exit !((a / b - 1) ^ 2 < 1e-10) }'
 }
 
 @test "a law that lacks something ends AUTO's run, too" {

@@ -244,3 +244,16 @@ EOF
   near "$(awk -F, '$1 == "locked" { print $2 }' found)" "$(mlg eigenvalues l1 V="$V" k_psi=1e12 k_d=1e12 c_d=1 \
     | awk -F, 'NR > 1 && $3 > 16 && $3 < 19 { printf "%.10g", -$1 / sqrt($1 ^ 2 + $2 ^ 2); exit }')" 1e-3 locked
 }
+
+@test "counts are whole, speeds above 0, and a strut that does not oscillate has no delta mode" {
+  local words
+  for words in "passive order=1.5" "passive starts=1.5" "explore l1 starts=1.5"; do
+    # shellcheck disable=SC2086 # words
+    run -2 mlg $words
+    [[ "$output" == "mlg ${words%% *}: '${words##* }': expected a whole number" ]]
+  done
+  run -2 mlg passive V_least=0
+  [[ "$output" == "mlg passive: 'V_least=0': outside its range, 0.001 to 1000 m/s" ]]
+  run -1 mlg deltamode M=1e6
+  [ "$output" = "mlg deltamode: delta does not oscillate: the load takes all of k_delta's stiffness away" ]
+}

@@ -140,6 +140,27 @@ static int is_point(const char *text)
   return 0;
 }
 
+/* Whether what follows the type of a point is nothing or a number from least. */
+static int is_number_of_points(const char *text, long least)
+{
+  const char *number = text + (*text == '-') + 2;
+  long n;
+
+  return !*number || (*number != '-' && whole_number(number, least, 99999, &n));
+}
+
+/* IRS: 0, a label (below 0: which of the solutions), or a type and which of it, HB2.  With
+ * no such number AUTO would take label 1, and at 0 start from what no solution has given. */
+static void check_irs(struct constants *c, const struct entry *e, const struct items *items)
+{
+  const char *irs = items->n == 1 && e->value[0] != '[' && !items->item[0].key[0] ? items->item[0].value : "";
+  const int type = is_point(irs) && irs[0] != '-' ? 2 : 0;
+  long n;
+
+  if (strlen(irs) > 11 || !whole_number(irs + type, type ? 1 : -99999, 99999, &n) || (n == 0 && strcmp(irs, "0") != 0))
+    bad_input(c, c->file, e->line, "IRS = %s: expected a label, or a type of point and which of these, as HB1", e->value);
+}
+
 /* Whether a value, its items split, has the form that AUTO reads. */
 static void check_form(struct constants *c, const struct entry *e, const struct auto_constant *k, const struct items *items)
 {
@@ -300,8 +321,10 @@ void check_constants(struct constants *c, const struct constants_use *use)
     if (strcmp(e->key, "ICP") == 0 && items.n == 0)
       bad_input(c, c->file, e->line, "ICP names no parameter to continue");
     for (int k = 0; k < items.n && (strcmp(e->key, "SP") == 0 || strcmp(e->key, "STOP") == 0); k++)
-      if (!is_point(items.item[k].value))
+      if (!is_point(items.item[k].value) || !is_number_of_points(items.item[k].value, e->key[1] == 'T'))
         bad_input(c, c->file, e->line, "%s: '%s' is no type of point; expected HB, LP2, ...", e->key, items.item[k].value);
+    if (strcmp(e->key, "IRS") == 0)
+      check_irs(c, e, &items);
     if (constant->names)
       check_names(c, e, constant, &items, &parnames, &unames, curve, use);
   }

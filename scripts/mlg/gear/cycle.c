@@ -14,7 +14,7 @@ static void options(struct option option[MOST_OPTIONS], int layout)
 {
   const int n = libmlg_states(layout);
   const struct option setting[] = {
-    { "settle", "s", 0., 1e6, 20., NULL }, { "rtol", "", 1e-14, 1e-3, 1e-10, NULL },
+    { "settle", "s", 0., 1e6, 20., NULL }, { "rtol", "-", 1e-14, 1e-3, 1e-10, NULL },
     { "points", "", 10., 1e5, 400., NULL }, { NULL, NULL, 0., 0., 0., NULL },
   };
 
@@ -65,6 +65,8 @@ static int cycle(int argc, char *argv[])
     start[i] = option[i].value;
   if (libmlg_oscillation_size(a.layout, start) < 1e-11)
     fail(name, MLG_BAD_INPUT, "the gear starts straight and stays so: give a state, as psi=0.05");
+  if (fmax(fabs(start[DELTA]), fabs(start[PSI])) > MLG_PI / 2.)
+    fail(name, MLG_BAD_INPUT, "delta=%g psi=%g: an angle beyond pi/2", start[DELTA], start[PSI]);
   if (libmlg_run_begin(&run, a.layout, option[n + 1].value) != 0)
     fail(name, MLG_FAILED, "out of memory");
   if (libmlg_cycle(&run, a.layout, a.par, start, option[n].value, &c) != 0)

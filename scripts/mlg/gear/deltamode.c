@@ -115,6 +115,8 @@ static int run(int argc, char *argv[])
   if (!(option[V_LEAST].value < a.V_top))
     fail(argv[0], MLG_BAD_INPUT, "V_least = %g m/s is not below V_top = %g m/s", option[V_LEAST].value, a.V_top);
   libmlg_slots(a.par, d.slots);
+  if (!(gear_matrix(d.slots).A11.coefficient[0] > 0.))
+    fail(argv[0], MLG_FAILED, "delta does not oscillate: the load takes all of k_delta's stiffness away");
   d.k_psi = a.par[NUMBER_K_PSI];
   d.V_least = option[V_LEAST].value;
   d.V_top = a.V_top;

@@ -427,7 +427,7 @@ static int run(int argc, char *argv[])
   enum { B_MOST, STARTS, V_LEAST };
   struct option option[] = {
     [B_MOST] = { "b_most", "N m s^2/rad", 0., 1e9, 300., NULL },
-    [STARTS] = { "starts", "-", 1., EXPLORE_STARTS, 12., NULL },
+    [STARTS] = { "starts", "", 1., EXPLORE_STARTS, 12., NULL },
     [V_LEAST] = { "V_least", "m/s", 0., 1e3, 0.3, NULL },
     { .name = NULL },
   };

@@ -180,6 +180,9 @@ static int joints(int argc, char *argv[])
   else {
     if (option[CYCLES].value > 0. && libmlg_run_begin(&m.run, m.a.layout, 1e-8) != 0)
       fail(name, MLG_FAILED, "out of memory");
+    for (int end = 0; end < 2; end++) /* what is refused, before anything is printed */
+      for (int k = 0; k < m.ranges; k++)
+        set_range(&m, k, end ? m.range[k].n - 1 : 0);
     for (int k = 0; k < m.ranges; k++)
       printf("%.*s,", (int)strcspn(m.range[k].text, "="), m.range[k].text);
     printf("psi,frequency_hz,threshold%s\n", option[CYCLES].value > 0. ? ",psi_cycle,hz_cycle,multiplier" : "");

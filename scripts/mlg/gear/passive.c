@@ -251,9 +251,9 @@ static int run(int argc, char *argv[])
 {
   enum { ORDER, STARTS, V_LEAST };
   struct option option[] = {
-    [ORDER] = { "order", "-", 1., MOST_M + 1., MOST_M + 1., NULL },
-    [STARTS] = { "starts", "-", 1., MOST_STARTS, 20., NULL },
-    [V_LEAST] = { "V_least", "m/s", 0., 1e3, 0.3, NULL },
+    [ORDER] = { "order", "", 1., MOST_M + 1., MOST_M + 1., NULL },
+    [STARTS] = { "starts", "", 1., MOST_STARTS, 20., NULL },
+    [V_LEAST] = { "V_least", "m/s", 1e-3, 1e3, 0.3, NULL },
     { .name = NULL },
   };
   char *words[64] = { argv[0], (char *)"k_d|c_d" };
