@@ -13,6 +13,15 @@
 # Expect: the number of curves and of closed ones.  An extremum that AUTO's curves lack,
 #         or have beside those of mlg curves, ends with one line.
 
+# Ends what begins at a Hopf point where there is none: with play or friction, of which
+# `mlg hopf` says that it leaves them out.
+no_play() { # WHO LAYOUT [PARAMETER=VALUE ...]
+  local said
+  said=$(mlg hopf "$2" "${@:3}" V=1 2>&1 > /dev/null | grep 'is left out: ') || return 0
+  said=${said%%$'\n'*} said=${said#mlg hopf: }
+  fail "$1: ${said/ is left out/}" 2
+}
+
 # A short straight run across a Hopf point at the speed V, which finds it as HB1.
 hopf_start() { # NAME LAYOUT V [PARAMETER=VALUE ...]
   local from to

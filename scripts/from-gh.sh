@@ -19,19 +19,28 @@
 
 usage="usage: scripts/from-gh.sh LAYOUT NAME V=VALUE c_d=VALUE [PARAMETER=VALUE ...] [angle=VALUE]"
 [ $# -ge 4 ] || fail "$usage" 2
-layout=$1 name=$2 angle=0 V='' c_d='' given=()
+layout=$1 name=$2 angle=0 V='' c_d='' seen=' ' given=()
 [ -f "models/$layout.c" ] || fail "from-gh: there is no models/$layout.c" 2
 check_name "$name"
 for word in "${@:3}"; do
-  case $word in V=*) V=${word#*=} ;; c_d=*) c_d=${word#*=} ;; angle=*) angle=${word#*=} ;; *) given+=("$word") ;; esac
+  case $word in
+    V=* | c_d=* | angle=*)
+      [[ $seen != *" ${word%%=*} "* ]] || fail "from-gh: '$word': ${word%%=*} is given already" 2
+      is_above_0 "${word#*=}" || fail "from-gh: '$word': expected a number above 0" 2
+      seen+="${word%%=*} "
+      ;;&
+    V=*) V=${word#*=} ;;
+    c_d=*) c_d=${word#*=} ;;
+    angle=*) angle=${word#*=} ;;
+    *) given+=("$word") ;;
+  esac
 done
-for word in "$V" "$c_d" "$angle"; do
-  [[ $word =~ ^[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?$ ]] || fail "from-gh: '$word': expected a number for V, c_d and angle" 2
-done
+[[ -n $V && -n $c_d ]] || fail "$usage" 2
 # shellcheck disable=SC2119 # all
 build
 export MLG_USES=/dev/null
 
+no_play from-gh "$layout" "${given[@]}"
 # Within a factor of 2
 points=$(mlg generalised "$layout" "${given[@]}" V_least="$(awk -v V="$V" 'BEGIN { print V / 2 }')" V_top="$(awk -v V="$V" 'BEGIN { print V * 2 }')" \
   c_least="$(awk -v c="$c_d" 'BEGIN { print c / 2 }')" c_most="$(awk -v c="$c_d" 'BEGIN { print c * 2 }')") || exit
@@ -46,6 +55,7 @@ read -r V_point c_point frequency V_start gap psi < <(awk -F, -v V="$V" -v c="$c
   }' <<< "$points") || fail "from-gh: no generalised Hopf point within a factor of 2 of V = $V, c_d = $c_d" 1
 awk -v gap="$gap" -v c="$c_point" 'BEGIN { exit !(gap * gap > (5e-7 * c) ^ 2) }' ||
   fail "from-gh: angle=$angle: the fold would lie $gap N m s/rad beside the Hopf point, which AUTO's digits do not tell; a larger one does" 2
+awk -v V="$V_start" 'BEGIN { exit !(V > 0 && V < 1000) }' || fail "from-gh: angle=$angle: the fold would lie at V = $V_start m/s, where the normal form no longer holds; a smaller one does" 2
 c_start=$(mlg hopf "$layout" "${given[@]}" V="$V_start" | awk -F, -v f="$frequency" -v c="$c_point" '
   $1 + 0 > 0 && ($3 / f - 1) ^ 2 < 0.01 { d = ($1 / c - 1) ^ 2; if (best == "" || d < least) { least = d; best = $1 } } END { print best }')
 [ -n "$c_start" ] || fail "from-gh: no Hopf point of $frequency Hz at V = $V_start: a smaller angle may do"

@@ -17,19 +17,23 @@
 
 usage="usage: scripts/from-hh.sh LAYOUT NAME V=VALUE c_d=VALUE [PARAMETER=VALUE ...] [angle=0.5] [both]"
 [ $# -ge 4 ] || fail "$usage" 2
-layout=$1 name=$2 angle=0.5 both='' given=() place=()
+layout=$1 name=$2 angle='' both='' given=() place=()
 [ -f "models/$layout.c" ] || fail "from-hh: there is no models/$layout.c" 2
 check_name "$name"
 for word in "${@:3}"; do
   case $word in
     V=* | c_d=*) place+=("$word") ;;
-    angle=*) angle=${word#*=} ;;
+    angle=*)
+      [ -z "$angle" ] || fail "from-hh: '$word': angle is given already" 2
+      angle=${word#*=}
+      is_above_0 "$angle" || fail "from-hh: '$word': expected degrees above 0" 2
+      ;;
     both) both=yes ;;
     *) given+=("$word") ;;
   esac
 done
 [ ${#place[@]} = 2 ] || fail "$usage" 2
-[[ $angle =~ ^[0-9]*\.?[0-9]+$ ]] || fail "from-hh: angle='$angle': expected degrees above 0" 2
+angle=${angle:-0.5}
 # shellcheck disable=SC2119 # all
 build
 export MLG_USES=/dev/null
@@ -41,6 +45,7 @@ predicted() { # TORUS_V TORUS_C_D
     printf "%.10g %.10g\n", V + tV * r * r, c + tc * r * r }'
 }
 
+no_play from-hh "$layout" "${given[@]}"
 unfolding=$(mlg unfolding "$layout" "${given[@]}" "${place[@]}") || exit
 echo "oscillation,V_predicted,V,c_d,amplitude_predicted,amplitude,unit"
 seen=''

@@ -52,13 +52,11 @@ read_words() {
   done
 }
 
-is_above_0() { [[ $1 =~ ^[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?$ ]] && awk -v x="$1" 'BEGIN { exit !(x > 0 && x < 1e12) }'; }
-
 # What AUTO and the exact parts would refuse later ends here, in one line.
 check_words() {
   local layout value
   for layout in $layouts; do
-    mlg boundary "$layout" > /dev/null 2>&1 || fail "study: layouts=: there is no layout '$layout'; \`mlg help\` lists them" 2
+    { [ -f "models/$layout.c" ] && mlg boundary "$layout" > /dev/null 2>&1; } || fail "study: layouts=: there is no layout '$layout'; \`mlg help\` lists them" 2
   done
   [ -n "$layouts" ] || fail "study: layouts=: expected one or more, as l1,l2" 2
   [ "$(tr ' ' '\n' <<< "$layouts" | sort | uniq -d | wc -l)" = 0 ] || fail "study: layouts=: a layout is given twice" 2

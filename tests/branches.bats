@@ -108,4 +108,23 @@ setup() { cd "$SCRATCH" || return; }
   run -2 scripts/from-gh.sh li1 gh V=0.716 c_d=526 k_s=6.38e5 b=140 angle=0.1
   [[ $output == *"a larger one does"* ]]
   run -2 build/bin/mlg generalised l1 V=3
+  local words right
+  while IFS='|' read -r words right; do
+    # shellcheck disable=SC2086 # words
+    run -2 scripts/$words
+    # shellcheck disable=SC2053 # a pattern
+    if [ "${#lines[@]}" -ne 1 ] || [[ $output != $right ]]; then
+      echo "$words: $output"
+      return 1
+    fi
+  done <<'END'
+from-hh.sh l1 hh V=24.84 c_d=32038 angle=0|from-hh: 'angle=0': expected degrees above 0
+from-hh.sh l1 hh V=24.84 c_d=32038 angle=1 angle=2|from-hh: 'angle=2': angle is given already
+from-hh.sh l1 hh V=24.84 c_d=32038 g_psi=0.004|from-hh: g_psi = 0.004: play and friction have no linearisation at rest
+from-gh.sh li1 gh V=0.7 c_d=526 k_s=6.38e5 b=140 V=3|from-gh: 'V=3': V is given already
+from-gh.sh li1 gh V=0 c_d=526 k_s=6.38e5 b=140|from-gh: 'V=0': expected a number above 0
+from-gh.sh li1 gh V=0.7 k_s=6.38e5 b=140|usage: *
+from-gh.sh li1 gh V=0.7 c_d=526 k_s=6.38e5 b=140 T_f=5 v_f=1|from-gh: T_f = 5: play and friction have no linearisation at rest
+from-gh.sh li1 gh V=0.716 c_d=526 k_s=6.38e5 b=140 angle=1000|from-gh: angle=1000: the fold would lie at V = -*
+END
 }

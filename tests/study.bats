@@ -131,6 +131,8 @@ bad gear=none|none: No such file*
 bad gear=gear.load|*gear.load:1: PAR: 'F_z' is not a parameter*; the load is M here, (M + m_D) g = F_z
 bad c_q=1|mlg gearinfo: 'c_q=1': no such parameter*
 bad layouts=l9|study: layouts=: there is no layout 'l9'*
+bad layouts=gear|study: layouts=: there is no layout 'gear'*
+bad layouts=k_d-c_d|study: layouts=: there is no layout 'k_d-c_d'*
 bad layouts=l1,l1|study: layouts=: a layout is given twice
 bad at=3e3,x|study: at=: 'x': expected values of c_d*
 bad V=3|study: V is the axis*

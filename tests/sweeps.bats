@@ -350,6 +350,8 @@ keep = c_lo'
   run -2 scripts/sweep.sh run build/none.sweep
   [ "$output" = "sweep: no description build/none.sweep" ]
   sweep good <<< "$good"
+  run -2 scripts/sweep.sh run build/good.sweep jobs=1 jobs=2
+  [[ "$output" == "sweep: 'jobs=2': jobs is given already" ]]
   run -2 scripts/sweep.sh run build/good.sweep jobs=0
   run -2 scripts/sweep.sh fly build/good.sweep
   run -2 scripts/sweep.sh status build/good.sweep

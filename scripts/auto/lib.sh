@@ -25,6 +25,9 @@ build() { # [TARGET]
   export MLG_BUILT=yes
 }
 
+# A decimal number above 0, below 1e12.
+is_above_0() { [[ $1 =~ ^[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?$ ]] && awk -v x="$1" 'BEGIN { exit !(x > 0 && x < 1e12) }'; }
+
 # What gives runs and tables their names and is no such name ends here (mlg stamp).
 check_name() { # NAME
   [[ $1 =~ ^[A-Za-z0-9][A-Za-z0-9._+-]{0,99}$ ]] ||

@@ -23,11 +23,15 @@ find_description() { # FILE
 
 # Sets retry, jobs, tasks and options.
 read_words() { # COMMAND WORD...
-  local command=$1 word
+  local command=$1 word seen=' '
   shift
   retry=() jobs=$(env -u OMP_NUM_THREADS nproc) tasks=1000 options=()
   for word; do
     case $command:$word in
+      *:jobs=* | *:tasks=*)
+        [[ $seen != *" ${word%%=*} "* ]] || fail "sweep: '$word': ${word%%=*} is given already" 2
+        seen+="${word%%=*} "
+        ;;&
       run:jobs=* | resume:jobs=*) jobs=$(count_of "$word" 4096) || exit $? ;;
       slurm:tasks=*) tasks=$(count_of "$word" 100000) || exit $? ;;
       resume:retry | slurm:retry) retry=(retry) ;;
