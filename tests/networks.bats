@@ -256,4 +256,7 @@ EOF
   [[ "$output" == "mlg passive: 'V_least=0': outside its range, 0.001 to 1000 m/s" ]]
   run -1 mlg deltamode M=1e6
   [ "$output" = "mlg deltamode: delta does not oscillate: the load takes all of k_delta's stiffness away" ]
+  [ "$(mlg explore l1 load starts=1 c_delta=0 c_psi=0 | wc -l)" -eq 2 ] # no load, no row
+  near "$(mlg explore l1 load starts=1 M=0 | awk -F, '$1 == "load" { print $2 }')" \
+    "$(mlg explore l1 load starts=1 | awk -F, '$1 == "load" { print $2 }')" 1e-4 load
 }

@@ -366,18 +366,20 @@ static int holds(struct explorer *e, double x[], struct cma_random *random, int 
   return value > 0.;
 }
 
-/* The largest load, N, at which some design has no shimmy: raised as long as one is found, then
+/* The largest load, N, between 1e4 or that of m_D alone and 1e7, at which some design has no
+ * shimmy, 0 for none: raised as long as one is found, then
  * bisected, always on from the best so far. */
 void explore_load(struct explorer *e, const double given[], struct found *found)
 {
   const double V_least = e->V_least, M = e->par[NUMBER_M], weight = (M + e->par[NUMBER_M_D]) * e->par[NUMBER_G];
-  double lo = 0., hi = INFINITY, F_z = weight, x[EXPLORE_VARIABLES];
+  const double least = fmax(1e4, e->par[NUMBER_M_D] * e->par[NUMBER_G]), most = 1e7;
+  double lo = 0., hi = INFINITY, F_z = fmin(fmax(weight, 1.05 * least), 0.95 * most), x[EXPLORE_VARIABLES];
   struct cma_random random = { 5 };
 
   *found = (struct found){ .starts = 1, .met = 1, .lo = NAN, .hi = NAN, .k_s = NAN, .b = NAN };
   e->V_least = 0.;
   memcpy(x, given, sizeof x);
-  while (hi / lo > 1. + 1e-5 && F_z > 1e4 && F_z < 1e7) {
+  while (hi / lo > 1. + 1e-5 && F_z > least && F_z < most) {
     e->par[NUMBER_M] = F_z / e->par[NUMBER_G] - e->par[NUMBER_M_D];
     if (holds(e, x, &random, &found->asked)) {
       lo = F_z;
@@ -466,7 +468,8 @@ static int run(int argc, char *argv[])
     }
   if (asked[LOAD]) {
     explore_load(&e, given, &load);
-    print_row("load", &e, &load);
+    if (load.value > 0.)
+      print_row("load", &e, &load);
   }
   return output_status(argv[0]);
 }
