@@ -1133,6 +1133,11 @@ static void torus_is_the_largest_complex_multiplier(void **state)
     set_monodromy(B);
     assert_near(orbit_torus(NDIM), 0.02, 1e-12);
 
+    pair(B, 4, 1.03, 0.05); /* nearly real, and yet a pair */
+    set_monodromy(B);
+    assert_near(orbit_torus(NDIM), 0.03, 1e-12);
+
+    pair(B, 4, 1.02, 0.7);
     pair(B, 2, 0.4, 2.5); /* a smaller pair beside it */
     set_monodromy(B);
     assert_near(orbit_torus(NDIM), 0.02, 1e-12);
