@@ -290,6 +290,18 @@ intervals() {
   [ "$(cell upper intervals l1 "${top[@]}")" = V_top ]
 }
 
+@test "c_d between whose bounds no Hopf point lies, and yet all of it shimmies, is no interval" {
+  local gear
+  for gear in 'e=-0.1' 'e=-0.05 V_top=5' 'V_least=30 V_top=31 F_z=300000'; do
+    # shellcheck disable=SC2086 # words
+    [ "$(build/bin/mlg intervals l1 $gear | grep -vc '^#')" -eq 1 ] || { echo "$gear" && false; }
+  done
+  for gear in 'e=-0.1 V=100 c_d=100' 'e=-0.05 V=2 c_d=3e3' 'V=30.5 F_z=300000 c_d=2e4'; do
+    # shellcheck disable=SC2086 # words
+    build/bin/mlg eigenvalues l1 $gear | awk -F, 'NR == 2 { exit !($1 > 0) }' || { echo "$gear" && false; }
+  done
+}
+
 @test "gears in other units of force, time and length have the paper's answers in those units" {
   local layout words quarter
   # all forces and inertias a quarter: the widest interval a quarter, at a quarter of k_s
