@@ -3,6 +3,7 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,6 +33,19 @@ _Noreturn void fail(const char *command, int status, const char *text, ...)
   va_end(values);
   say(line);
   exit(status);
+}
+
+_Noreturn void refuse_file(const char *file, int line, const char *text, va_list values)
+{
+  char message[LINE];
+
+  vsnprintf(message, sizeof message, text, values);
+  if (line > 0)
+    fprintf(stderr, "%s:%d: ", file, line);
+  else
+    fprintf(stderr, "%s: ", file);
+  say(message);
+  exit(MLG_BAD_INPUT);
 }
 
 _Noreturn void refuse(const char *command, const char *word, const char *right, ...)
@@ -275,4 +289,22 @@ int output_status(const char *command)
     return MLG_OK;
   fprintf(stderr, "mlg %s: cannot write the output: %s\n", command, strerror(errno));
   return MLG_FAILED;
+}
+
+struct range take_range(struct arguments *a, const char *text)
+{
+  struct range r = { .text = text };
+  const char *equals = strchr(text, '=');
+  char rest;
+
+  if (!equals || sscanf(equals + 1, "%lf:%lf:%d%c", &r.from, &r.to, &r.n, &rest) != 3 || !(r.from < r.to && isfinite(r.to))
+      || r.n < 2)
+    refuse(a->command, text, "expected NAME=FROM:TO:N, FROM below TO and N above 1");
+  take_value(a, text, range_name_length(&r), r.to);
+  return r;
+}
+
+size_t range_name_length(const struct range *r)
+{
+  return strcspn(r->text, "=");
 }

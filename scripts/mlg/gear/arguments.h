@@ -16,6 +16,7 @@
 #ifndef MLG_ARGUMENTS_H
 #define MLG_ARGUMENTS_H
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -64,6 +65,15 @@ void take_value(struct arguments *a, const char *word, size_t length, double val
 /* Another value for a name that this word has given, once the arguments have ended. */
 void retake_value(struct arguments *a, const char *word, size_t length, double value);
 
+/* A word NAME=FROM:TO:N, N values from FROM to TO; text is the word. */
+struct range { const char *text; double from, to; int n; };
+
+/* Reads one, FROM below TO and N above 1, and gives TO to its name; or refuses it. */
+struct range take_range(struct arguments *a, const char *text);
+
+/* How long NAME is. */
+size_t range_name_length(const struct range *r);
+
 /* Refuses a parameter that was given although the command varies it. */
 void refuse_given(const struct arguments *a, enum parameter_number n, const char *right);
 
@@ -74,6 +84,9 @@ _Noreturn void refuse(const char *command, const char *word, const char *right, 
 /* One line "mlg COMMAND: TEXT" with that status. */
 _Noreturn void fail(const char *command, int status, const char *text, ...)
   __attribute__((format(printf, 3, 4)));
+
+/* One line "FILE:LINE: TEXT", or "FILE: TEXT" at line 0, status 2. */
+_Noreturn void refuse_file(const char *file, int line, const char *text, va_list values);
 
 /* Whether text is a finite decimal number and nothing else. */
 bool is_number(const char *text, double *value);

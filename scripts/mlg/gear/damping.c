@@ -9,8 +9,6 @@
 
 static const char name[] = "damping";
 
-struct range { const char *text; double from, to; int n; }; /* text begins NAME= */
-
 enum { MOST_RANGES = 4 };
 enum { V_LEAST, B_LEAST, B_MOST };
 
@@ -30,16 +28,11 @@ static double range_value(const struct range *r, int i)
   return r->from > 0. ? r->from * pow(r->to / r->from, t) : r->from + t * (r->to - r->from);
 }
 
-static size_t name_length(const struct range *r)
-{
-  return strcspn(r->text, "=");
-}
-
 static void set_range(struct search *search, int k, double value)
 {
   const struct range *r = &search->range[k];
 
-  retake_value(&search->given, r->text, name_length(r), value);
+  retake_value(&search->given, r->text, range_name_length(r), value);
   search->value[k] = value;
 }
 
@@ -171,18 +164,9 @@ static void print_best(struct search *search)
 /* NAME=FROM:TO:N */
 static void add_range(struct search *search, const char *text)
 {
-  struct range *r = &search->range[search->ranges];
-  const char *equals = strchr(text, '=');
-  char rest;
-
   if (search->ranges == MOST_RANGES)
     refuse(name, text, "there are four ranges already");
-  *r = (struct range){ .text = text };
-  if (!equals || sscanf(equals + 1, "%lf:%lf:%d%c", &r->from, &r->to, &r->n, &rest) != 3 || !(r->from < r->to && isfinite(r->to))
-      || r->n < 2)
-    refuse(name, text, "expected NAME=FROM:TO:N, FROM below TO and N above 1");
-  take_value(&search->given, text, name_length(r), r->to);
-  search->ranges++;
+  search->range[search->ranges++] = take_range(&search->given, text);
 }
 
 static int damping(int argc, char *argv[])
@@ -215,7 +199,7 @@ static int damping(int argc, char *argv[])
   if (!(a->par[NUMBER_V] > 0.))
     refuse(name, a->word[NUMBER_V], "the wheels have to roll: V above 0");
   for (int k = 0; k < search.ranges; k++)
-    printf("%.*s,", (int)name_length(&search.range[k]), search.range[k].text);
+    printf("%.*s,", (int)range_name_length(&search.range[k]), search.range[k].text);
   printf("zeta,%sfrequency_hz,shimmy,t_5\n", search.at_V ? "" : "V,");
   print_table(&search, 0);
   return output_status(name);

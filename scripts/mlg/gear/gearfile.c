@@ -18,20 +18,10 @@ struct reader { const char *file, *at; int line; };
 
 static _Noreturn void slip(const struct reader *r, const char *format, ...)
 {
-  char text[512];
   va_list values;
 
   va_start(values, format);
-  vsnprintf(text, sizeof text, format, values);
-  va_end(values);
-  for (char *t = text; *t; t++)
-    if (iscntrl((unsigned char)*t))
-      *t = ' ';
-  if (r->line > 0)
-    fprintf(stderr, "%s:%d: %s\n", r->file, r->line, text);
-  else
-    fprintf(stderr, "%s: %s\n", r->file, text);
-  exit(MLG_BAD_INPUT);
+  refuse_file(r->file, r->line, format, values);
 }
 
 static const char *whole_text(const struct reader *r)

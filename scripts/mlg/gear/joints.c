@@ -12,9 +12,6 @@ static const double degree = MLG_PI / 180.;
 
 enum { LEAST, PSI_MOST, AT, NEAR, CYCLES, SETTLE, MOST_RANGES = 2, MOST = 32 };
 
-/* NAME=FROM:TO:N, N values in equal steps, over a factor of 50 and more in equal ratios. */
-struct range { const char *text; double from, to; int n; };
-
 struct map {
   struct arguments a;
   struct option *option;
@@ -61,6 +58,7 @@ static void print_cycles(const struct arguments *a, const struct option option[]
            cycle[i].frequency_hz, cycle[i].stable);
 }
 
+/* In equal steps, over a factor of 50 and more in equal ratios. */
 static void set_range(struct map *m, int k, int i)
 {
   const struct range *r = &m->range[k];
@@ -68,7 +66,7 @@ static void set_range(struct map *m, int k, int i)
   const double t = (double)i / (r->n - 1);
 
   m->value[k] = r->from > 0. && r->to / r->from >= 50. ? r->from * pow(r->to / r->from, t) : r->from + (r->to - r->from) * t;
-  retake_value(&m->a, r->text, strcspn(r->text, "="), m->value[k]);
+  retake_value(&m->a, r->text, range_name_length(r), m->value[k]);
   if (libmlg_lacks(m->a.par))
     fail(name, MLG_BAD_INPUT, "%s", libmlg_lacks(m->a.par));
 }
@@ -139,18 +137,9 @@ static void print_map(struct map *m, int k)
 
 static void add_range(struct map *m, const char *text)
 {
-  struct range *r = &m->range[m->ranges];
-  const char *equals = strchr(text, '=');
-  char rest;
-
   if (m->ranges == MOST_RANGES)
     refuse(name, text, "there are two ranges already");
-  *r = (struct range){ .text = text };
-  if (!equals || sscanf(equals + 1, "%lf:%lf:%d%c", &r->from, &r->to, &r->n, &rest) != 3 || !(r->from < r->to && isfinite(r->to))
-      || r->n < 2)
-    refuse(name, text, "expected NAME=FROM:TO:N, FROM below TO and N above 1");
-  take_value(&m->a, text, strcspn(text, "="), r->to);
-  m->ranges++;
+  m->range[m->ranges++] = take_range(&m->a, text);
 }
 
 static int joints(int argc, char *argv[])

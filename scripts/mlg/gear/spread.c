@@ -1,7 +1,6 @@
 /* spread.c - reads files of spreads, and draws from them */
 #include "spread.h"
 
-#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>
@@ -16,20 +15,10 @@ struct line { const char *file; int number; };
 
 static _Noreturn void slip(const struct line *at, const char *format, ...)
 {
-  char text[512];
   va_list values;
 
   va_start(values, format);
-  vsnprintf(text, sizeof text, format, values);
-  va_end(values);
-  for (char *t = text; *t; t++)
-    if (iscntrl((unsigned char)*t))
-      *t = ' ';
-  if (at->number > 0)
-    fprintf(stderr, "%s:%d: %s\n", at->file, at->number, text);
-  else
-    fprintf(stderr, "%s: %s\n", at->file, text);
-  exit(MLG_BAD_INPUT);
+  refuse_file(at->file, at->number, format, values);
 }
 
 /* A number, or one with % of the design's value: `around` is added to it, or 0. */

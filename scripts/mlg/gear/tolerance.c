@@ -85,18 +85,16 @@ static void take_best(struct arguments *a, double b_least, double b_most)
 
 /* --- the map over k_s and b ---------------------------------------------------------------------- */
 
-struct range { const char *word; double from, to; int n; };
-
-static bool take_range(struct range *r, const char *word, const char *axis)
+static bool take_axis(struct range *r, const char *word, const char *axis)
 {
   const size_t length = strlen(axis);
   char rest;
 
   if (strncmp(word, axis, length) != 0 || word[length] != '=')
     return false;
-  if (r->word)
-    refuse(name, word, "given already, by '%.200s'", r->word);
-  r->word = word;
+  if (r->text)
+    refuse(name, word, "given already, by '%.200s'", r->text);
+  r->text = word;
   if (sscanf(word + length + 1, "%lf:%lf:%d%c", &r->from, &r->to, &r->n, &rest) != 3 || !(r->from < r->to && isfinite(r->to))
       || r->from < 0. || r->n < 2 || r->n > MOST_NODES)
     refuse(name, word, "expected %s=FROM:TO:N, 0 <= FROM < TO, N from 2 to %d", axis, MOST_NODES);
@@ -106,25 +104,25 @@ static bool take_range(struct range *r, const char *word, const char *axis)
 static int map(int argc, char *argv[])
 {
   struct option option[] = { { .name = NULL } };
-  struct range k_s = { .word = NULL }, b = { .word = NULL };
+  struct range k_s = { .text = NULL }, b = { .text = NULL };
   struct arguments a;
 
   begin_arguments(&a, argc, argv, option);
   for (int i = 3; i < argc; i++)
-    if (!take_range(&k_s, argv[i], "k_s") && !take_range(&b, argv[i], "b"))
+    if (!take_axis(&k_s, argv[i], "k_s") && !take_axis(&b, argv[i], "b"))
       take_word(&a, argv[i]);
   end_arguments(&a);
   check_speeds(&a, 0.);
   refuse_given(&a, NUMBER_C_D, "the best c_d is looked for");
   if (!libmlg_uses(a.layout, NUMBER_K_S))
     refuse(name, argv[1], "has no k_s to map");
-  if (!k_s.word)
+  if (!k_s.text)
     fail(name, MLG_BAD_INPUT, "expected k_s=FROM:TO:N");
   if (!(k_s.from > 0.))
-    refuse(name, k_s.word, "expected FROM above 0");
-  if (b.word && !libmlg_uses(a.layout, NUMBER_B))
-    refuse(name, b.word, "layout %s has no b", libmlg_layout_name(a.layout));
-  if (!b.word)
+    refuse(name, k_s.text, "expected FROM above 0");
+  if (b.text && !libmlg_uses(a.layout, NUMBER_B))
+    refuse(name, b.text, "layout %s has no b", libmlg_layout_name(a.layout));
+  if (!b.text)
     b = (struct range){ .from = a.par[NUMBER_B], .to = a.par[NUMBER_B], .n = 1 };
 
   const int nodes = k_s.n * b.n;
