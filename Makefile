@@ -328,7 +328,7 @@ build/tests/autofile: with = $(mlg_reader) build/tests/libmlg.a $(lapack)
 build/tests/autofile: $(mlg_reader) $(wildcard scripts/mlg/*/*.h) build/tests/libmlg.a
 mlg_constants = $(patsubst %,scripts/mlg/auto/%.c,text autonumber constants conchecks)
 build/tests/constants: with = $(mlg_constants) build/tests/libmlg.a
-build/tests/constants: $(mlg_constants) scripts/mlg/auto/conparse.c $(wildcard scripts/mlg/*/*.h) build/tests/libmlg.a
+build/tests/constants: $(mlg_constants) scripts/mlg/auto/conparse.c scripts/mlg/gear/gearfile.c $(wildcard scripts/mlg/*/*.h) build/tests/libmlg.a
 
 $(filter-out build/tests/libmlg/layout-%,$(checked_library)): build/tests/libmlg/%.o: models/libmlg/%.c build/libmlg/layouts.h Makefile
 	@mkdir -p $(@D)

@@ -36,7 +36,7 @@ enum boundary_slot {
   POINT_V = 0,             /* V_i, m/s */
   POINT_C,                 /* c_i, c_d in N m s/rad */
   POINT_FREQUENCY,         /* f_i, Hz */
-  POINT_RATIO,             /* ratio_i, |delta|/|psi|: above 1 delta-shimmy */
+  POINT_RATIO,             /* ratio_i, mlg_energy_ratio: above 1 delta-shimmy */
   POINT_KIND,              /* kind_i, 1: c_d is least, -1: largest */
   POINT_RESULTS,
   /* these pass 0 where another mechanism takes over: */
@@ -192,7 +192,7 @@ int pvls(integer ndim, const doublereal *u, doublereal *par)
     result[POINT_V] = p.V;
     result[POINT_C] = p.c;
     result[POINT_FREQUENCY] = p.omega / (2. * MLG_PI);
-    result[POINT_RATIO] = delta_over_psi(par, p.V, p.omega * ray);
+    result[POINT_RATIO] = mlg_energy_ratio(par, delta_over_psi(par, p.V, p.omega * ray));
     result[POINT_KIND] = curvature(&F, ray, p.omega, p.V, p.c) > 0. ? 1. : -1.;
   }
   if (points > 2)

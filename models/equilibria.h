@@ -15,9 +15,8 @@ extern void dgeev_(const char *jobvl, const char *jobvr, const integer *n, doubl
                    double *re, double *im, double *vl, const integer *ldvl, double *vr, const integer *ldvr,
                    double *work, const integer *lwork, integer *info, size_t len_jobvl, size_t len_jobvr);
 
-/* Test functions of the Hopf points of straight rolling, 1/s: test[0] of psi-shimmy, whose
- * amplitude of psi is larger than that of delta, and test[1] of delta-shimmy.  Each is the
- * real part of its complex pair of eigenvalues nearest to the imaginary axis, with the sign -
+/* Test functions of the Hopf points of straight rolling, 1/s: test[0] of psi-shimmy and
+ * test[1] of delta-shimmy (mlg_energy_ratio, mlg.h).  Each is the real part of its complex pair of eigenvalues nearest to the imaginary axis, with the sign -
  * when an even number of its pairs grows, + when an odd one does.  It passes smoothly through 0
  * at each of its Hopf points and nowhere else, whereas AUTO's own test, the real part of
  * whichever pair is nearest, changes its sign where another pair becomes that.  It jumps where
@@ -39,7 +38,7 @@ static void hopf_tests(integer ndim, const double par[], const double u[], doubl
   for (int i = 0; info == 0 && i + 1 < NDIM; i++)
     if (im[i] > 0.) { /* its vector: column i and i times column i + 1 */
       const double *x = v + NDIM * i, *y = x + NDIM;
-      const int kind = hypot(x[DELTA], y[DELTA]) > hypot(x[PSI], y[PSI]);
+      const int kind = mlg_energy_ratio(par, hypot(x[DELTA], y[DELTA]) / hypot(x[PSI], y[PSI])) > 1.;
 
       growing[kind] += re[i] > 0.;
       test[kind] = pairs[kind]++ == 0 ? fabs(re[i]) : fmin(test[kind], fabs(re[i]));

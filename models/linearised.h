@@ -94,7 +94,7 @@ static inline double _Complex gear_entry(const struct poly entry[2], double V, d
   return poly_value(&entry[0], s) + V * poly_value(&entry[1], s);
 }
 
-/* |delta| / |psi| of the oscillation at s; above 1 it is delta-shimmy. */
+/* |delta| / |psi| of the oscillation at s. */
 static inline double delta_over_psi(const double par[], double V, double _Complex s)
 {
   const struct gear_matrix g = gear_matrix(par);

@@ -174,6 +174,15 @@ static inline void mlg_defaults(double par[])
 #undef X
 }
 
+/* Of an oscillation whose amplitudes, rad, have this ratio: the square root of the kinetic energy
+ * of the lateral bending, J_xi + m_D l_D^2 about B, over that of the torsion, J_zeta.  Above 1
+ * it is called delta-shimmy, below psi-shimmy.  The larger angle would be another name for
+ * most of a heavy or long gear's delta modes, which bend little (docs/model.md). */
+static inline double mlg_energy_ratio(const double par[], double delta_over_psi)
+{
+  return delta_over_psi * sqrt((par[PAR_J_XI] + par[PAR_M_D] * par[PAR_L_D] * par[PAR_L_D]) / par[PAR_J_ZETA]);
+}
+
 #include "elements.h"
 
 /* Self-aligning moment per vertical force, m (26). */

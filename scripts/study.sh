@@ -44,6 +44,7 @@ read_words() {
       exact) exact=yes ;;
       V_top=*) top=${word#*=} ;;
       b_most=*) b_most=${word#*=} ;;
+      gear=) fail "study: 'gear=': expected gear=FILE" 2 ;;
       gear=/*) parameters+=("$word") ;;
       gear=*) parameters+=("gear=$(realpath -ms --relative-to=. "$here/${word#*=}")") ;;
       *=*) parameters+=("$word") ;;

@@ -117,17 +117,25 @@ commands() {
   mlg eigenvalues l1 gear=constants/gear.printed | cmp - <(mlg eigenvalues l1 phi=0.0524 M=19900)
   mlg eigenvalues l1 M=2e4 gear=constants/gear.printed | cmp - <(mlg eigenvalues l1 phi=0.0524 M=2e4)
   mlg eigenvalues l1 F_z=2e5 gear=constants/gear.printed | cmp - <(mlg eigenvalues l1 phi=0.0524 F_z=2e5)
+  # F_z stands for M in it as among the words; a word goes before either
+  printf "PAR = {'F_z': 150e3 N, 'g': 10, 'k_s': inf}" >loaded
+  mlg eigenvalues li1 gear=loaded m_D=400 | cmp - <(mlg eigenvalues li1 F_z=150e3 g=10 m_D=400)
+  mlg eigenvalues li1 gear=loaded M=2e4 | cmp - <(mlg eigenvalues li1 g=10 M=2e4)
+  mlg eigenvalues li1 gear=loaded F_z=2e5 | cmp - <(mlg eigenvalues li1 g=10 F_z=2e5)
   printf '! mine\nPAR = {"V" : 30.0 m/s,\n  k_d: 9e4 N m/rad}  # end\n' >mine
   mlg eigenvalues l1 gear=mine | cmp - <(mlg eigenvalues l1 V=30 k_d=9e4)
 }
 
-# gear LINE TEXT: the line a gear file of that text is refused with
+# gear LINE TEXT: the line a gear file of that text is refused with, by commands about a gear
+# and where it is handed over to AUTO
 gear() {
   printf '%b' "$2" >gear
-  refuses "$1" eigenvalues l1 gear=gear
+  refuses "$1" eigenvalues l1 gear=gear && refuses "$1" constants constants/c.l1.straight gear=gear
 }
 
 @test "slips in a gear file: its name, the line, what would be right" {
+  refuses "mlg eigenvalues: 'gear=': expected gear=FILE" eigenvalues l1 gear=
+  refuses "mlg probability: 'spread=': expected spread=FILE" probability l1 spread=
   refuses 'none: No such file or directory; expected a file of gear parameters' eigenvalues l1 gear=none
   gear "gear:1: expected one constant, PAR = {'name': value, ...}" ''
   gear "gear:2: expected one constant, PAR = {'name': value, ...}" '# c\nNMX = 3'
@@ -137,11 +145,18 @@ gear() {
   gear "gear:1: V = -3 m/s is outside its range, 0 to 1000" "PAR = {'V': -3}"
   gear "gear:1: PAR: V is in km/h here; it has to be in m/s" "PAR = {'V': 3 km/h}"
   gear "gear:1: PAR: V is given twice" "PAR = {'V': 3, 'V': 4}"
+  gear "gear:2: PAR: both M and F_z = (M + m_D) g are given; give one" "PAR = {'F_z': 6e4,\n'M': 2e4}"
+  gear "gear:1: PAR: F_z is in kN here; it has to be in N" "PAR = {'F_z': 60 kN}"
+  gear "gear:1: F_z = -1 N is outside its range, 0.001 to 1e+09" "PAR = {'F_z': -1}"
+  gear "gear:1: PAR: '4' is not a parameter (see models/mlg.h)" "PAR = {4: 0.1}"
   gear "gear:1: PAR: a bracket is left open" "PAR = {'V': 3"
   gear "gear:1: expected ':' and not '}'; the form is PAR = {'name': value, ...}" "PAR = {'V'}"
   gear "gear:1: expected '{' and not '[1, 2]'; the form is PAR = {'name': value, ...}" "PAR = [1, 2]"
   gear 'gear: holds a zero byte; not a file of gear parameters' "PAR = {'V': 3}\\0000"
-  gear "gear=gear" "PAR = {'b': 3}" || [ "$stderr" = "mlg eigenvalues: 'gear=gear': layout l1 has no b" ]
+  printf "PAR = {'b': 3}" >gear
+  refuses "mlg eigenvalues: 'gear=gear': layout l1 has no b" eigenvalues l1 gear=gear
+  printf "PAR = {'F_z': 600}" >gear
+  refuses "mlg eigenvalues: 'gear=gear': its F_z makes M = F_z/g - m_D = -438.838 kg, outside its range, 0 to 1e+06 kg" eigenvalues l1 gear=gear
 }
 
 @test "every command says that it cannot write" {

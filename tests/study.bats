@@ -120,7 +120,7 @@ study() { scripts/study.sh "$@" > study.log 2>&1 || { cat study.log; return 1; }
 
 @test "bad input: one line, status 2, and no study" {
   local words
-  echo "PAR = {'F_z': 6e4}" > gear.load
+  echo "PAR = {'F_z': 60 kN}" > gear.load
   while IFS='|' read -r words pattern; do
     # shellcheck disable=SC2086 # words
     run -2 scripts/study.sh $words
@@ -128,7 +128,8 @@ study() { scripts/study.sh "$@" > study.log 2>&1 || { cat study.log; return 1; }
     [ "${#lines[@]}" -eq 1 ] && [[ $output == $pattern ]] || { echo "$words: $output"; return 1; }
   done << 'END'
 bad gear=none|none: No such file*
-bad gear=gear.load|*gear.load:1: PAR: 'F_z' is not a parameter*; the load is M here, (M + m_D) g = F_z
+bad gear=|study: 'gear=': expected gear=FILE
+bad gear=gear.load|*gear.load:1: PAR: F_z is in kN here; it has to be in N
 bad c_q=1|mlg gearinfo: 'c_q=1': no such parameter*
 bad layouts=l9|study: layouts=: there is no layout 'l9'*
 bad layouts=gear|study: layouts=: there is no layout 'gear'*

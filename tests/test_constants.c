@@ -46,6 +46,7 @@ static int read_part(const char *file, struct text *text, struct text *why)
 
 #define read_file read_part
 #include "conparse.c"
+#include "gearfile.c"
 #undef read_file
 
 enum { ROOM = 1 << 13, MOST_WORDS = 32, MOST_SEEDS = 200 };

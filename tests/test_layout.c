@@ -1067,7 +1067,7 @@ static void hopf_tests_are_the_growth_of_shimmy(void **state)
     const int modes = libmlg_modes(libmlg_layout(layout), par, mode, LIBMLG_MOST_STATES, &grows);
 
     for (int i = 0; i < modes; i++) {
-      const int kind = mode[i].delta_over_psi > 1.;
+      const int kind = libmlg_is_delta(par, mode[i].delta_over_psi);
 
       growing[kind] += mode[i].re > 0.;
       if (nearest[kind] < 0. || fabs(mode[i].re) < nearest[kind])

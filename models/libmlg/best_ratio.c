@@ -198,28 +198,52 @@ static int improve(struct search *s, double u, double v)
   return 0;
 }
 
+static double between_0_and_1(double x)
+{
+  return fmin(1., fmax(0., x));
+}
+
 /* Finer and finer grids about the best place so far: its ridges have kinks and jumps, at
- * which a search by slopes or sections would stop. */
+ * which a search by slopes or sections would stop.  Where the place moves on along a ridge the
+ * grid turns into the direction of that move, and is stretched to twice its length: a ridge may
+ * be ten thousand times as long as it is wide. */
 static void zoom(struct search *s, double u, double v, double half_u, double half_v)
 {
   enum { AROUND = 5 };
+  const int both = half_u > 0. && half_v > 0.;
+  double x = 1., y = 0., stretch = 1.; /* the direction, in units of half_u and half_v */
 
   while (half_u > 1e-10 || half_v > 1e-10) {
     const double u_0 = u, v_0 = v, before = s->best.zeta;
 
     for (int j = -AROUND; j <= AROUND; j++)
       for (int i = -AROUND; i <= AROUND; i++) {
-        const double u_i = u_0 + half_u * i / AROUND, v_j = v_0 + half_v * j / AROUND;
+        const double along = stretch * i / AROUND, across = (double)j / AROUND;
+        const double u_i = between_0_and_1(u_0 + half_u * (along * x - across * y));
+        const double v_j = between_0_and_1(v_0 + half_v * (along * y + across * x));
 
-        if ((i != 0 && !(half_u > 0.)) || (j != 0 && !(half_v > 0.)) || u_i < 0. || u_i > 1. || v_j < 0. || v_j > 1.)
+        if ((i != 0 && !(half_u > 0.)) || (j != 0 && !(half_v > 0.)))
           continue;
         if (improve(s, u_i, v_j)) {
           u = u_i;
           v = v_j;
         }
       }
-    if (s->best.zeta > before + 1e-6 * fabs(before)) /* the place moves on along a ridge */
+    if (s->best.zeta > before + 1e-6 * fabs(before)) {
+      const double dx = (u - u_0) / half_u, dy = (v - v_0) / half_v, length = hypot(dx, dy);
+
+      if (both && length > 0.) {
+        x = dx / length;
+        y = dy / length;
+        stretch = fmax(1., 2. * length);
+      }
       continue;
+    }
+    if (y != 0. || stretch > 1.) { /* the ridge ends or bends */
+      x = stretch = 1.;
+      y = 0.;
+      continue;
+    }
     half_u *= 0.5;
     half_v *= 0.5;
   }

@@ -99,3 +99,11 @@ int libmlg_eigenvalues(int layout, const double par[], double re[], double im[],
   *n = found;
   return 0;
 }
+
+int libmlg_is_delta(const double par[], double delta_over_psi)
+{
+  double slots[MLG_SLOTS];
+
+  libmlg_slots(par, slots);
+  return mlg_energy_ratio(slots, delta_over_psi) > 1.;
+}

@@ -126,8 +126,13 @@ struct libmlg_mode {
   double re, im;         /* its eigenvalue, 1/s, im >= 0 */
   double zeta;           /* damping ratio -re / |re + i im|; below 0 it grows */
   double frequency_hz;   /* im / (2 pi) */
-  double delta_over_psi; /* ratio of amplitudes; above 1 it is delta-shimmy */
+  double delta_over_psi; /* ratio of amplitudes; what it is called: libmlg_is_delta */
 };
+
+/* Whether an oscillation in which delta is so many times as large as psi is delta-shimmy: more
+ * of its kinetic energy is in the bending than in the torsion, (J_xi + m_D l_D^2) delta^2 >
+ * J_zeta psi^2; else it is psi-shimmy. */
+int libmlg_is_delta(const double par[], double delta_over_psi);
 
 /* All oscillations at the V of par[], above 0, by falling growth, the first `most` of them
  * into mode[]; and *grows: whether a real eigenvalue does (divergence).  Returns their
@@ -156,7 +161,7 @@ int libmlg_fifth_order(int layout, const double par[], double omega, struct libm
 
 /* The amplitude equations beside a double Hopf point, of the modes nearest to i omega[0] and
  * i omega[1]: r_i' = r_i (sigma_i + a[i][0] r_0^2 + a[i][1] r_1^2), r_i the amplitude, rad, of
- * psi, or of delta where delta_over_psi > 1; a in 1/s per rad^2.  Kuznetsov, Section 8.6;
+ * psi, or of delta where it is delta-shimmy; a in 1/s per rad^2.  Kuznetsov, Section 8.6;
  * derivatives as for libmlg_criticality.  Returns as libmlg_eigenvalues. */
 int libmlg_double_hopf(int layout, const double par[], const double omega[2], struct libmlg_mode mode[2], double a[2][2]);
 
@@ -287,7 +292,7 @@ struct libmlg_point {
   double c_d;            /* N m s/rad */
   double V;              /* m/s */
   double omega;          /* |s|, rad/s */
-  double delta_over_psi; /* amplitudes, rad/rad; above 1 it is delta-shimmy */
+  double delta_over_psi; /* amplitudes, rad/rad; what it is called: libmlg_is_delta */
   enum libmlg_kind kind;
 };
 

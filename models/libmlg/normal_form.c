@@ -280,7 +280,7 @@ int libmlg_double_hopf(int layout, const double par[], const double omega[2], st
         || libmlg_mode_near(l, slots, 0., omega[k], &mode[k], q[k], p[k]) != 0)
       return LIBMLG_FAILED;
     scale = 0.5 / q[k][PSI];
-    if (mode[k].delta_over_psi > 1.) {
+    if (mlg_energy_ratio(slots, mode[k].delta_over_psi) > 1.) {
       scale = 0.5 / q[k][DELTA];
       a[k][k] /= mode[k].delta_over_psi * mode[k].delta_over_psi;
     }

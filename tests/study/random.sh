@@ -8,8 +8,11 @@
 # nonlinear model, LAPACK) no Hopf point in its middle, and some 2 % outside of each bound;
 # at each telling c_d as many Hopf points as the study says.
 #
+# After a stop it goes on where it was: what a gear was found to do stands in
+# build/tests/random-studies/NAME.found while mlg, the scripts of studies and this one are the same.
+#
 # Needs   the models, build/bin/eigen-*
-# Writes  build/studies/random-SEED-*, and removes those that are right
+# Writes  build/studies/random-SEED-*, and removes those that are right; build/tests/random-studies
 . "$(dirname "$(realpath "$0")")/../../scripts/auto/lib.sh"
 
 n=${1:-10} seed=${2:-1} how=(${3:+exact}) wrong=0 asked=0 made=0 failed=0
@@ -65,25 +68,38 @@ check() { # what designs.csv of the study says
   done
 }
 
+# A study and all that is said of it: its line, and last the counts asked, wrong, runs, failed.
+one_gear() { # NUMBER
+  local asked=0 wrong=0 runs=0 bad=0
+  gear "$1" > "$file"
+  if scripts/study.sh "$name" gear="$file" layouts=l1,li2 V_top="$top" "${how[@]}" > "$folder/$1.log" 2>&1 && [ -s "build/studies/$name/report.html" ]; then
+    check
+    runs=$(find "build/studies/$name/runs" -mindepth 1 -maxdepth 1 -type d | wc -l) bad=$(($(wc -l < "build/studies/$name/failures.csv") - 1))
+    printf '  %-14s %d runs, %d failed; %s\n' "$name" "$runs" "$bad" "$(grep -m 1 -e '^\*\*' "build/studies/$name/report.md" | cut -c 1-90)"
+    sed '1d; s/^/    /' "build/studies/$name/failures.csv"
+    [ "$wrong" != 0 ] || rm -r "build/studies/$name"
+  else
+    echo "  $name failed: $(tail -n 1 "$folder/$1.log")"
+    wrong=1
+  fi
+  echo "$asked $wrong $runs $bad"
+}
+
 folder=build/tests/random-studies top=120
 mkdir -p "$folder"
 build
 mlg gearinfo > "$folder/paper.csv"
+made_by="$(cat build/bin/mlg scripts/study.sh scripts/study/* "$0" | cksum) ${how[*]}"
 for ((i = 1; i <= n; i++)); do
-  name=random-$seed-$i file=$folder/gear.$i
-  gear "$i" > "$file"
-  if scripts/study.sh "$name" gear="$file" layouts=l1,li2 V_top="$top" "${how[@]}" > "$folder/$i.log" 2>&1 && [ -s "build/studies/$name/report.html" ]; then
-    before=$wrong
-    check
-    runs=$(find "build/studies/$name/runs" -mindepth 1 -maxdepth 1 -type d | wc -l) bad=$(($(wc -l < "build/studies/$name/failures.csv") - 1))
-    made=$((made + runs)) failed=$((failed + bad))
-    printf '  %-14s %4d s  %d runs, %d failed; %s\n' "$name" "$SECONDS" "$runs" "$bad" "$(grep -m 1 -e '^\*\*' "build/studies/$name/report.md" | cut -c 1-90)"
-    sed '1d; s/^/    /' "build/studies/$name/failures.csv"
-    [ "$before" != "$wrong" ] || rm -r "build/studies/$name"
-  else
-    echo "  $name failed: $(tail -n 1 "$folder/$i.log")"
-    wrong=$((wrong + 1))
+  name=random-$seed-$i file=$folder/gear.$seed.$i
+  found=$folder/$name.found
+  if [ "$(head -n 1 "$found" 2> /dev/null)" != "$made_by" ]; then
+    { echo "$made_by"; one_gear "$i"; } > "$found.new"
+    mv "$found.new" "$found"
   fi
+  sed '1d; $d' "$found"
+  read -r more_asked more_wrong more_made more_failed < <(tail -n 1 "$found")
+  asked=$((asked + more_asked)) wrong=$((wrong + more_wrong)) made=$((made + more_made)) failed=$((failed + more_failed))
 done
 echo "  $n studies, $asked statements held against the eigenvalues, $wrong wrong; $made runs of AUTO, $failed failed"
 [ "$wrong" = 0 ]

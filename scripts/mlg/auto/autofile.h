@@ -112,4 +112,10 @@ int af_solution_rows(const struct af_solutions *all, const struct af_solution *o
  * 1.0d-1, 1.0-101, NaN, Infinity.  1, or 0 when they are none. */
 int af_number(const char *text, size_t length, double *value);
 
+/* Whether text is a finite number as AUTO reads it, 1.0d-1 too, and nothing else. */
+int is_finite(const char *text, double *value);
+
+/* Whether text is infinity: inf, Infinity. */
+int is_infinite(const char *text);
+
 #endif

@@ -2,6 +2,7 @@
 #include "autofile.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -82,6 +83,19 @@ int af_number(const char *text, size_t length, double *value)
   copy[n] = '\0';
   *value = strtod(copy, &end);
   return end != copy && *end == '\0';
+}
+
+int is_finite(const char *text, double *value)
+{
+  return text[0] && !isspace((unsigned char)text[0]) && !isspace((unsigned char)text[strlen(text) - 1])
+         && !strpbrk(text, "xXpPnN") && af_number(text, strlen(text), value) && isfinite(*value);
+}
+
+int is_infinite(const char *text)
+{
+  double value;
+
+  return af_number(text, strlen(text), &value) && isinf(value) && value > 0. && strpbrk(text, "iI");
 }
 
 const char *af_type_name(int type)

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "autofile.h"
 #include "libmlg.h"
 #include "mlg.h"
 #include "conparts.h"

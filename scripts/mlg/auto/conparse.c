@@ -7,25 +7,11 @@
 #include "conparts.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <string.h>
 
 #include "autofile.h"
 
 enum { MOST_BYTES = 1 << 16 };
-
-int is_finite(const char *text, double *value)
-{
-  return text[0] && !isspace((unsigned char)text[0]) && !isspace((unsigned char)text[strlen(text) - 1])
-         && !strpbrk(text, "xXpPnN") && af_number(text, strlen(text), value) && isfinite(*value);
-}
-
-int is_infinite(const char *text)
-{
-  double value;
-
-  return af_number(text, strlen(text), &value) && isinf(value) && value > 0. && strpbrk(text, "iI");
-}
 
 void set_entry(struct constants *c, const char *key, const char *value, int line, enum source source)
 {

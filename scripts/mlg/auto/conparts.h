@@ -67,12 +67,6 @@ struct items split(struct constants *c, const struct entry *e);
 /* Whether key is a constant that AUTO knows. */
 int is_constant(const char *key);
 
-/* Whether text is a finite number as AUTO reads it, 1.0d-1 too, and nothing else. */
-int is_finite(const char *text, double *value);
-
-/* Whether text is infinity: inf, Infinity. */
-int is_infinite(const char *text);
-
 /* The checks of conchecks.c, once everything is in place. */
 void check_constants(struct constants *c, const struct constants_use *use);
 

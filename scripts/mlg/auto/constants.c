@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "autofile.h"
+#include "gearfile.h"
 #include "libmlg.h"
 #include "mlg.h"
 
@@ -87,41 +89,16 @@ static void put_dictionary(struct constants *c, const struct entry *e, const cha
   }
 }
 
-/* Takes the unit off a value of a gear file. */
-static const char *without_unit(struct constants *c, const char *file, int line, const char *name, const char *value)
-{
-  const struct mlg_parameter *p = mlg_find(name, strlen(name));
-  const char *expected = p ? p->unit : "N";
-  char *number = keep_text(c, value, strlen(value)), *unit = number + strcspn(number, " \t\n");
-
-  if (!p && strcmp(name, "F_z") != 0)
-    bad_input(c, file, line, "PAR: '%s' is not a parameter (see models/mlg.h)", name);
-  if (*unit) {
-    *unit++ = '\0';
-    unit += strspn(unit, " \t\n");
-    if (strcmp(unit, expected) != 0)
-      bad_input(c, file, line, "PAR: %s is in %s here; it has to be in %s", name, unit, expected);
-  }
-  return number;
-}
-
 static void put_gear(struct constants *c, const char *file)
 {
-  struct entries *gear = keep(c, sizeof *gear);
-  const struct entry *e;
-  struct items items;
+  struct gear gear;
 
-  parse_constants(c, file, gear);
-  e = get_entry(gear, "PAR");
-  if (!e || gear->n > 1)
-    bad_input(c, file, 0, "expected one constant, PAR = {'name': value, ...}");
-  items = split(c, e);
-  for (int k = 0; k < items.n; k++) {
-    const char *key = items.item[k].key;
+  if (read_gear(file, &gear, c->why) != 0)
+    longjmp(c->refused, 1);
+  for (int k = 0; k < gear.n; k++) {
+    const struct gear_value *v = &gear.value[k];
 
-    if (!*key)
-      bad_input(c, file, e->line, "PAR: '%s' without a name; expected {name: value, ...}", items.item[k].value);
-    put_parameter(c, key, without_unit(c, file, e->line, key, items.item[k].value), file, e->line, OF_GEAR);
+    put_parameter(c, v->name, keep_text(c, v->text, strlen(v->text)), file, v->line, OF_GEAR);
   }
 }
 

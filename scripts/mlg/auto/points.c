@@ -1,5 +1,4 @@
-/* points.c - mlg points: the special points of runs, rows of results/special_points.csv;
- * mlg shimmy: what a branch of orbits shows */
+/* points.c - mlg points: the special points of runs, rows of results/special_points.csv */
 #include <math.h>
 #include <string.h>
 
@@ -118,43 +117,4 @@ const struct command command_points = {
   "rolling, 6 for orbits and double Hopf points.  Of UZ, on a branch of orbits those that do\n"
   "not flank a torus point, of boundary points none; with uz=NAME=VALUE those alone.\n",
   run_points,
-};
-
-static int run_shimmy(int argc, char *argv[])
-{
-  const char *shimmy = NULL;
-  struct run_data data;
-  double largest = 0.;
-  int status;
-
-  if (argc != 2) {
-    fputs("usage: mlg shimmy RUN\n", stderr);
-    return MLG_BAD_INPUT;
-  }
-  status = read_run_or_say("shimmy", argv[1], &data);
-  for (int j = 0; status == 0 && j < data.all.parts; j++)
-    for (long i = 0; i < data.ending[j].kept; i++) {
-      const double psi = number_at(&data, j, i, "psi_max") * MLG_PI / 180.;
-      const double delta = number_at(&data, j, i, "dstar_max") / number_at(&data, j, i, "l_delta");
-
-      if (psi * psi + delta * delta > largest) {
-        largest = psi * psi + delta * delta;
-        shimmy = delta > psi ? "delta" : "psi";
-      }
-    }
-  if (status == 0 && !shimmy) {
-    fprintf(stderr, "shimmy: %s has no orbits with psi_max, dstar_max and l_delta\n", argv[1]);
-    status = MLG_FAILED;
-  } else if (status == 0)
-    puts(shimmy);
-  free_run_data(&data);
-  return status;
-}
-
-const struct command command_shimmy = {
-  "shimmy", "RUN",
-  "psi or delta, what a branch of orbits shows",
-  "Which of the two angles is larger where the branch has its largest amplitude; they differ\n"
-  "by a hundred times or more in the first case, and delta leads by 1.7 or more in the second.\n",
-  run_shimmy,
 };

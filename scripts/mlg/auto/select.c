@@ -25,13 +25,17 @@ int read_run_or_say(const char *command, const char *word, struct run_data *data
   data->ending = must_allocate((size_t)(data->all.parts + 1) * sizeof *data->ending);
   for (int i = 0; i < data->all.parts; i++)
     data->ending[i] = find_ending(&data->all.part[i], data->files.s, data->files.layout);
+  data->inertia = must_allocate(sizeof *data->inertia);
+  *data->inertia = (struct inertia){ 0 };
   return 0;
 }
 
 void free_run_data(struct run_data *data)
 {
   free(data->ending);
+  free(data->inertia);
   data->ending = NULL;
+  data->inertia = NULL;
   af_free(&data->all);
   free_run(&data->files);
 }
@@ -181,21 +185,6 @@ const char *shown_type(const struct choice *choice, const struct run_data *data,
   return lists(choice->types, type) ? type : "";
 }
 
-/* psi or delta, which of the angles is larger there. */
-static const char *shimmy(const struct run_data *data, int part, long point, struct text *why)
-{
-  const struct af_part *p = &data->all.part[part];
-  const int ratio = af_column(p, "ratio_1"), psi = af_column(p, "psi_max"), dstar = af_column(p, "dstar_max"), l = af_column(p, "l_delta");
-
-  if (ratio >= 0)
-    return af_value(p, point, ratio) > 1. ? "delta" : "psi";
-  if (psi < 0 || dstar < 0 || l < 0) {
-    text_add(why, "%s: shimmy needs the columns psi_max, dstar_max and l_delta, or ratio_1", data->files.b);
-    return NULL;
-  }
-  return af_value(p, point, dstar) / af_value(p, point, l) > af_value(p, point, psi) * MLG_PI / 180. ? "delta" : "psi";
-}
-
 const char *paper_name(const struct run_data *data, int part, long point, int i)
 {
   static const char *const wanted[] = { "ratio", "kind", "f", "c" };
@@ -266,7 +255,7 @@ static int add_word(struct text *row, const struct choice *choice, const struct 
     if (!closing && p->point[point].label > 0)
       text_add(row, "%d", p->point[point].label);
   } else if (strcmp(name, "shimmy") == 0) {
-    const char *of = shimmy(data, part, at, why);
+    const char *of = shimmy_at(data, part, at, why);
 
     text_add(row, "%s", of ? of : "");
   } else if (strcmp(name, "extremum") == 0 && boundary)

@@ -11,6 +11,7 @@ struct run_data {
   struct run_files files;
   struct af_branches all;
   struct ending *ending; /* of each part */
+  struct inertia { int known; double J_xi, m_D, l_D, J_zeta; } *inertia; /* shimmy.c */
 };
 
 /* Reads a run for a command.  Returns 0, or 2 after one line on standard error. */
@@ -24,7 +25,7 @@ void free_run_data(struct run_data *data);
  *   frequency   1/period in Hz
  *   k_s         N m/rad, of 1e5/compliance in runs of models/boundary.h; inf: rigid
  *   size        of an orbit over the largest of its branch
- *   shimmy      psi or delta, which of the angles is larger
+ *   shimmy      psi or delta, which of them has more of the kinetic energy
  *   extremum    min or max, of c_d at a boundary point; curve: what is behind .bN. in the run's name
  *   bp          BP1, BP2_l, BP2_u, BP3, psi3, onset, meet as in the paper's Figure 10(a), or -
  */
@@ -59,6 +60,10 @@ const char *paper_name(const struct run_data *data, int part, long point, int i)
 
 /* The value of a column that is a number, or NaN. */
 double number_at(const struct run_data *data, int part, long point, const char *name);
+
+/* psi or delta, what a point of orbits or of boundary points shows (mlg_energy_ratio, mlg.h);
+ * NULL after a line in why. */
+const char *shimmy_at(const struct run_data *data, int part, long point, struct text *why);
 
 /* Whether the choice has the point. */
 int is_chosen(const struct choice *choice, const struct run_data *data, int part, long point);

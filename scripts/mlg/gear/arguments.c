@@ -138,6 +138,8 @@ void take_word(struct arguments *a, const char *word)
   double value;
 
   if (equals && strncmp(word, "gear=", 5) == 0) {
+    if (!equals[1])
+      refuse(a->command, word, "expected gear=FILE");
     note(a, &a->gear_word, word);
     return;
   }
@@ -150,14 +152,24 @@ void take_word(struct arguments *a, const char *word)
 
 static void take_gear(struct arguments *a)
 {
-  const struct gear gear = read_gear(a->gear_word + strlen("gear="));
+  struct text why = TEXT_NONE;
+  struct gear gear;
 
+  if (read_gear(a->gear_word + strlen("gear="), &gear, &why) != 0) {
+    say(why.at);
+    exit(MLG_BAD_INPUT);
+  }
   for (int k = 0; k < gear.n; k++) {
-    const enum parameter_number n = gear.value[k].parameter;
+    const struct gear_value *v = &gear.value[k];
 
-    if (!a->word[n] && !(n == NUMBER_M && a->F_z_word)) {
-      a->word[n] = a->gear_word;
-      a->par[n] = gear.value[k].value;
+    if (v->parameter == LIBMLG_F_Z) {
+      if (!a->word[NUMBER_M] && !a->F_z_word) {
+        a->F_z_word = a->gear_word;
+        a->F_z = v->value;
+      }
+    } else if (!a->word[v->parameter] && !(v->parameter == NUMBER_M && a->F_z_word)) {
+      a->word[v->parameter] = a->gear_word;
+      a->par[v->parameter] = v->value;
     }
   }
 }
@@ -172,7 +184,7 @@ static void settle_load(struct arguments *a)
   if (a->word[NUMBER_M])
     refuse(a->command, a->F_z_word, "M is given already, by '%.200s'", a->word[NUMBER_M]);
   if (!(M >= libmlg_least(NUMBER_M) && M <= libmlg_most(NUMBER_M)))
-    refuse(a->command, a->F_z_word, "makes M = F_z/g - m_D = %g kg, outside its range, %g to %g kg", M,
+    refuse(a->command, a->F_z_word, "%smakes M = F_z/g - m_D = %g kg, outside its range, %g to %g kg", a->F_z_word == a->gear_word ? "its F_z " : "", M,
            libmlg_least(NUMBER_M), libmlg_most(NUMBER_M));
   a->par[NUMBER_M] = M;
 }

@@ -15,9 +15,9 @@ const char *kind_name(enum libmlg_kind kind)
   return name[kind];
 }
 
-const char *shimmy_name(const struct libmlg_point *p)
+const char *shimmy_name(const double par[], double delta_over_psi)
 {
-  return p->delta_over_psi > 1. ? "delta" : "psi";
+  return libmlg_is_delta(par, delta_over_psi) ? "delta" : "psi";
 }
 
 int checked(const char *command, int n)
@@ -40,12 +40,12 @@ static void read_range(struct arguments *a, int argc, char *argv[])
 
 static const char units[] = "# c_d N m s/rad, V m/s";
 
-static void print_boundary_points(const struct libmlg_point point[], int n)
+static void print_boundary_points(const struct arguments *a, const struct libmlg_point point[], int n)
 {
   printf("%s\nc_d,V,frequency_hz,extremum,shimmy\n", units);
   for (int i = 0; i < n; i++)
     printf("%.10g,%.10g,%.10g,%s,%s\n", point[i].c_d, point[i].V, point[i].omega / (2. * MLG_PI), kind_name(point[i].kind),
-           shimmy_name(&point[i]));
+           shimmy_name(a->par, point[i].delta_over_psi));
 }
 
 /* "above" or "below": on which side of a Hopf point, in the parameter n, its mode grows. */
@@ -67,7 +67,7 @@ static void print_hopf_points(struct arguments *a, const struct libmlg_point poi
 
   printf("%s\nc_d,V,frequency_hz,shimmy,grows\n", units);
   for (int i = 0; i < n; i++)
-    printf("%.10g,%.10g,%.10g,%s,%s\n", point[i].c_d, point[i].V, point[i].omega / (2. * MLG_PI), shimmy_name(&point[i]),
+    printf("%.10g,%.10g,%.10g,%s,%s\n", point[i].c_d, point[i].V, point[i].omega / (2. * MLG_PI), shimmy_name(a->par, point[i].delta_over_psi),
            options[1].value == 0. ? grows(a, &point[i], along) : "");
 }
 
@@ -79,7 +79,7 @@ static int run_boundary(int argc, char *argv[])
   read_range(&a, argc, argv);
   refuse_given(&a, NUMBER_V, "boundary points are asked for at every V");
   refuse_given(&a, NUMBER_C_D, "boundary points are asked for at every c_d");
-  print_boundary_points(point, checked(argv[0], libmlg_boundary_points(a.layout, a.par, options[1].value, options[0].value, a.V_top,
+  print_boundary_points(&a, point, checked(argv[0], libmlg_boundary_points(a.layout, a.par, options[1].value, options[0].value, a.V_top,
                                                                        point, LIBMLG_MOST_POINTS)));
   return output_status(argv[0]);
 }
@@ -135,7 +135,7 @@ const struct command command_boundary = {
     "  frequency_hz  Hz\n"
     "  extremum      min, max: of c_d along the Hopf curve; V_top, V_least: the curve leaves the\n"
     "                range there (V_least = 0: as V goes to 0)\n"
-    "  shimmy        psi or delta, the larger amplitude\n"
+    "  shimmy        psi or delta, where more of the kinetic energy is\n"
     "zeta: boundary of that damping ratio instead.\n",
   .run = run_boundary,
 };

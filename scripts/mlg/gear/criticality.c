@@ -138,7 +138,7 @@ const struct command command_criticality = {
     "Prints CSV, a row for each:\n"
     "  V, c_d          m/s, N m s/rad\n"
     "  frequency_hz    of the mode nearest to that frequency\n"
-    "  delta_over_psi  ratio of amplitudes; above 1 it is delta-shimmy\n"
+    "  delta_over_psi  ratio of amplitudes, rad/rad\n"
     "  a               1/s per rad^2: the amplitude r of psi obeys r' = sigma r + a r^3 beside\n"
     "                  the point; a < 0 supercritical, a > 0 subcritical: shimmy, unstable\n"
     "                  itself, beside the stable gear\n"

@@ -5,6 +5,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "names.h"
 #include "plane.h"
 
 /* of AUTO's pseudo-arclength in (V, c_d): THL of constants/c.LAYOUT.hopf */
@@ -75,11 +76,6 @@ static double smooth_step(const struct libmlg_curve *curve, double V_range, cons
   return curve->closed ? fmax(V_range / 300., fmin(V_range / 30., step)) : fmax(0.0015 * V_shown, step);
 }
 
-static const char *shimmy(double delta_over_psi)
-{
-  return delta_over_psi > 1. ? "delta" : "psi";
-}
-
 const char *shimmy_of_curve(const struct arguments *a, const struct libmlg_curve *curve)
 {
   const struct libmlg_curve_point *p = &curve->point[curve->n / 2];
@@ -88,7 +84,7 @@ const char *shimmy_of_curve(const struct arguments *a, const struct libmlg_curve
   double nearest = INFINITY, ratio = 0.;
 
   if (curve->extrema)
-    return shimmy(curve->extremum[0].delta_over_psi);
+    return shimmy_name(a->par, curve->extremum[0].delta_over_psi);
   memcpy(par, a->par, sizeof par);
   par[NUMBER_C_D] = p->c_d;
   const int n = libmlg_hopf_at_c_d(a->layout, par, 0., 0., INFINITY, at, LIBMLG_MOST_POINTS);
@@ -98,7 +94,7 @@ const char *shimmy_of_curve(const struct arguments *a, const struct libmlg_curve
       nearest = fabs(at[i].omega - p->omega);
       ratio = at[i].delta_over_psi;
     }
-  return shimmy(ratio);
+  return shimmy_name(a->par, ratio);
 }
 
 static void print_curve(const struct arguments *a, const struct libmlg_plane *plane, const struct libmlg_curve *curve,

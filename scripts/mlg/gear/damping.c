@@ -62,12 +62,12 @@ static struct libmlg_mode mode_between(struct arguments *a, double V_least, doub
 }
 
 /* "zeta,V,frequency_hz,shimmy,t_5" */
-static void print_mode(const struct libmlg_mode *mode, bool with_V)
+static void print_mode(const struct arguments *a, const struct libmlg_mode *mode, bool with_V)
 {
   printf("%.8g,", mode->zeta);
   if (with_V)
     printf("%.8g,", mode->V);
-  printf("%.8g,%s,", mode->frequency_hz, mode->delta_over_psi > 1. ? "delta" : "psi");
+  printf("%.8g,%s,", mode->frequency_hz, shimmy_name(a->par, mode->delta_over_psi));
   if (mode->re < 0.)
     printf("%.6g", log(20.) / -mode->re);
   printf("\n");
@@ -89,7 +89,7 @@ static void print_table(struct search *search, int k)
 
   for (int i = 0; i < search->ranges; i++)
     printf("%.10g,", search->value[i]);
-  print_mode(&mode, !search->at_V);
+  print_mode(a, &mode, !search->at_V);
 }
 
 /* Where the best c_d is, two modes are often damped alike; of psi and delta the latter is
@@ -102,18 +102,18 @@ static struct libmlg_mode mode_shown(struct arguments *a, const struct libmlg_ra
   double from = 0., to = 0.;
   int n;
 
-  if (mode.delta_over_psi > 1. || !(best->zeta > -1.))
+  if (libmlg_is_delta(a->par, mode.delta_over_psi) || !(best->zeta > -1.))
     return mode;
   n = checked(name, libmlg_hopf_at_c_d(a->layout, a->par, above, V_least, a->V_top, point, LIBMLG_MOST_POINTS));
   for (int i = 0; i < n && i < LIBMLG_MOST_POINTS; i++)
-    if (point[i].delta_over_psi > 1.) {
+    if (libmlg_is_delta(a->par, point[i].delta_over_psi)) {
       from = from > 0. ? from : point[i].V;
       to = point[i].V;
     }
   if (!(from < to))
     return mode;
   other = mode_between(a, from, to);
-  return other.delta_over_psi > 1. && other.zeta < above ? other : mode;
+  return libmlg_is_delta(a->par, other.delta_over_psi) && other.zeta < above ? other : mode;
 }
 
 static void print_best(struct search *search)
@@ -158,7 +158,7 @@ static void print_best(struct search *search)
   if (over_k_s)
     printf("%.8g,", best.k_s);
   printf("%.10g,", best.c_d);
-  print_mode(&mode, true);
+  print_mode(a, &mode, true);
 }
 
 /* NAME=FROM:TO:N */

@@ -5,6 +5,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "names.h"
 
 enum { MOST_WORDS = 256, MOST_MODES = 8 };
 
@@ -53,7 +54,7 @@ static void print_modes(const struct arguments *a, const char *device)
   if (n < 0)
     fail(a->command, MLG_FAILED, "no eigenvalues");
   for (int i = 0; i < n; i++) {
-    const char *which = mode[i].delta_over_psi > 1. ? "delta" : "psi";
+    const char *which = shimmy_name(a->par, mode[i].delta_over_psi);
 
     snprintf(name, sizeof name, "%s_%s_hz", which, device);
     snprintf(meaning, sizeof meaning, "frequency of the %s mode without tyre forces, the device %s", which, device);

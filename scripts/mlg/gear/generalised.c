@@ -53,7 +53,7 @@ const struct command command_generalised = {
     "All points of the Hopf curves in the plane at which the cubic coefficient a of\n"
     "r' = sigma r + a r^3 + a_5 r^5 passes 0, r the amplitude of psi.  Prints CSV:\n"
     "  V, c_d          m/s, N m s/rad\n"
-    "  frequency_hz, delta_over_psi   of the oscillation; above 1 it is delta-shimmy\n"
+    "  frequency_hz, delta_over_psi   of the oscillation; amplitudes, rad/rad\n"
     "  a_5             1/s per rad^4\n"
     "  a_slope         da/dV along the curve, 1/s per rad^2 and m/s\n"
     "  growth_in_c_d   d(sigma)/d(c_d), 1/s per N m s/rad\n"

@@ -39,7 +39,7 @@ static void print_row(struct job *j, bool best_c_d)
   else
     printf(",,0,,");
   least_mode(a, a->par, j->option[V_LEAST].value, &mode);
-  printf("%.10g,%.8g,%.6g,%s\n", a->par[NUMBER_C_D], mode.zeta, mode.V, mode.delta_over_psi > 1. ? "delta" : "psi");
+  printf("%.10g,%.8g,%.6g,%s\n", a->par[NUMBER_C_D], mode.zeta, mode.V, shimmy_name(a->par, mode.delta_over_psi));
 }
 
 static void print_head(void)

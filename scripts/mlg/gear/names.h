@@ -7,8 +7,8 @@
 /* "min", "max", "V_least", "V_top", "hopf", "none" (c_d of 0 or infinity) */
 const char *kind_name(enum libmlg_kind kind);
 
-/* "delta" or "psi", the larger amplitude */
-const char *shimmy_name(const struct libmlg_point *p);
+/* "delta" or "psi", what an oscillation with this ratio of amplitudes is called */
+const char *shimmy_name(const double par[], double delta_over_psi);
 
 /* "onset", "equal", ...: see `mlg help widest` */
 const char *limit_name(enum libmlg_limit limit);

@@ -8,6 +8,7 @@
 #include "arguments.h"
 #include "cma.h"
 #include "command.h"
+#include "names.h"
 #include "device_text.h"
 
 enum { MOST_STARTS = 100, SPEEDS = 40 };
@@ -235,7 +236,7 @@ static void print_row(struct passive *p, const struct best *best)
   const double _Complex Z = passive_stiffness(p, I * 2. * MLG_PI * 17.5);
 
   printf("%d,%.8g,%.8g,%.8g,%s,%.8g,%.8g,%.8g,%d,%d,%d,", p->m + 1, best->zeta, ratio.V, mode.frequency_hz,
-         mode.delta_over_psi > 1. ? "delta" : "psi", p->K, creal(Z), cimag(Z), best->met, best->starts, best->asked);
+         shimmy_name(p->par, mode.delta_over_psi), p->K, creal(Z), cimag(Z), best->met, best->starts, best->asked);
   for (int of_den = 0; of_den < 2; of_den++)
     for (int i = 0; i <= p->m + 1; i++) {
       const struct network *const r = &d->rational;

@@ -107,7 +107,7 @@ static void print_curves(const struct arguments *a, const struct libmlg_plane *p
              curve[i].point[k].omega / (2. * MLG_PI));
     printf("\n");
     for (int k = 0; k < curve[i].extrema; k++)
-      printf("%d,%s,%s,LP,%.8g,%.8g,%.6g\n", i + 1, kind, shimmy_name(&curve[i].extremum[k]), curve[i].extremum[k].V,
+      printf("%d,%s,%s,LP,%.8g,%.8g,%.6g\n", i + 1, kind, shimmy_name(a->par, curve[i].extremum[k].delta_over_psi), curve[i].extremum[k].V,
              curve[i].extremum[k].c_d, curve[i].extremum[k].omega / (2. * MLG_PI));
     if (curve[i].extrema)
       printf("\n");
@@ -129,7 +129,7 @@ static const char *growing(const struct arguments *a, const double par[])
     fail(a->command, MLG_FAILED, "no eigenvalues at V = %g, c_d = %g", par[NUMBER_V], par[NUMBER_C_D]);
   for (int i = 0; i < n; i++)
     if (mode[i].re > 0.)
-      *(mode[i].delta_over_psi > 1. ? &delta : &psi) = 1;
+      *(libmlg_is_delta(par, mode[i].delta_over_psi) ? &delta : &psi) = 1;
   return diverges ? "divergence" : psi && delta ? "both" : psi ? "psi" : delta ? "delta" : "none";
 }
 

@@ -37,6 +37,8 @@ static int run(int argc, char *argv[])
     if (strncmp(argv[i], "spread=", 7) == 0) {
       if (file)
         refuse(name, argv[i], "given already, by 'spread=%.200s'", file);
+      if (!argv[i][strlen("spread=")])
+        refuse(name, argv[i], "expected spread=FILE");
       file = argv[i] + 7;
     } else
       take_word(&a, argv[i]);

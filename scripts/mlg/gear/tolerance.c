@@ -63,7 +63,7 @@ static void print_design(struct arguments *a, double V_least, int sample)
   else { /* what shimmies a little beyond, or at the design itself */
     libmlg_corner(a->par, &box, t.corner, t.p > 0. ? t.p * (1. + 1e-4) : 0., beyond);
     least_mode(a, beyond, V_least, &mode);
-    printf("%.6g,%s,", mode.V, mode.delta_over_psi > 1. ? "delta" : "psi");
+    printf("%.6g,%s,", mode.V, shimmy_name(beyond, mode.delta_over_psi));
     if (t.p > 0.)
       print_corner(&box, t.corner);
     printf(",");

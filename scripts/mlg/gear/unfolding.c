@@ -4,6 +4,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "names.h"
 
 static const char name[] = "unfolding";
 
@@ -107,7 +108,7 @@ static int run(int argc, char *argv[])
   printf("mode,frequency_hz,angle,re,a_own,a_other,dre_dV,dre_dc_d,torus_V,torus_c_d,torus_dV_dc_d,unfolding,V,c_d\n");
   for (int k = 0; k < 2; k++)
     printf("%d,%.8g,%s,%.3e,%.8g,%.8g,%.8g,%.8g,%.8g,%.8g,%.8g,%s,%.10g,%.10g\n", k + 1, mode[k].frequency_hz,
-           mode[k].delta_over_psi > 1. ? "delta" : "psi", mode[k].re, a[k][k], a[k][1 - k], slope[k][0], slope[k][1],
+           shimmy_name(arguments.par, mode[k].delta_over_psi), mode[k].re, a[k][k], a[k][1 - k], slope[k][0], slope[k][1],
            torus[k][0], torus[k][1], torus[k][0] / torus[k][1],
            unfolding_case((const double (*)[2])a, a[0][1] / a[1][1], a[1][0] / a[0][0]), arguments.par[NUMBER_V],
            arguments.par[NUMBER_C_D]);
