@@ -92,7 +92,6 @@ study() { # NAME WORD...
   fi
   touch "build/stamps/study.$study.began"
   exact_parts
-  tolerant_designs
   draw_exact
   say "exact parts: $folder/*.plane.svg, designs.csv"
   cycles

@@ -31,6 +31,25 @@ setup() {
   cmp before.md results/README.md
 }
 
+@test "a newer table that is committed keeps its rows beside older ones of another figure's runs" {
+  mkdir -p build/tables
+  cp results/special_points.csv newer.csv
+  rm -f build/tables/points.* build/tables/special_points.csv.*
+  # an older state of Figure 7, where Figure 6 is the one that is made
+  grep '^7,' newer.csv | sed '1s/,[0-9]/,7/' > build/tables/points.fig07.csv
+  grep '^6,' newer.csv > build/tables/points.fig06.csv
+  run ! cmp -s build/tables/points.fig07.csv <(grep '^7,' newer.csv)
+  MLG_FIGURE=fig06 scripts/report/collect.sh
+  cmp newer.csv results/special_points.csv
+  [ ! -e build/tables/points.fig07.csv ] # and so it is made anew
+  # what was made here goes before what stands in the table
+  sed '1s/,[0-9]/,7/' build/tables/points.fig06.csv > build/tables/points.fig07.csv
+  MLG_FIGURE=fig07 scripts/report/collect.sh
+  grep -q -x -F "$(head -n 1 build/tables/points.fig07.csv)" results/special_points.csv
+  cp newer.csv results/special_points.csv
+  rm build/tables/points.* build/tables/special_points.csv.*
+}
+
 @test "the page in HTML says the same, with its pictures in it" {
   local number
   scripts/report/page.sh

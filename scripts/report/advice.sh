@@ -62,6 +62,7 @@ advice_words() { # TABLE
       if (from < 0.501) return sprintf("up to %.4g kN, and down to %.4g at least", v["F_to", i] / 1e3, v["F_from", i] / 1e3)
       return sprintf("from %.4g to %.4g kN%s", v["F_from", i] / 1e3, v["F_to", i] / 1e3, to > 1.499 ? " at least" : "")
     }
+    function bound(c) { return c == "inf" ? "any value" : sprintf("%.5g", c) }
     /^#/ { next }
     !columns { for (k = 1; k <= NF; k++) head[k] = $k; columns = NF; next }
     { n++; for (k = 1; k <= NF; k++) v[head[k], n] = $k; if ($5 + 0 > most + 0) { most = $5; best = n } }
@@ -80,11 +81,13 @@ advice_words() { # TABLE
       if (other) printf " Without an inerter the best is %s.", device(other)
       printf "\n\n| layout | k_s (N m/rad) | b (N m s²/rad) | c_d (N m s/rad) | tolerance p (%%) | free c_d | least ζ | loads borne |\n|---|---|---|---|---|---|---|---|\n"
       for (i = 1; i <= n; i++) if (v["p", i] > 0)
-        printf "| %s | %s | %.4g | %.4g | %.3g | %.5g to %.5g | %.2e | %s |\n", name(v["layout", i]), (v["layout", i] == "l1" ? "-" : v["k_s", i] == "inf" ? "rigid" : sprintf("%.4g", v["k_s", i])),
-          v["b", i], v["c_d", i], v["p", i], v["c_lo", i], v["c_hi", i], v["zeta", i], loads(i)
+        printf "| %s | %s | %.4g | %.4g | %.3g | %s to %s | %.2e | %s |\n", name(v["layout", i]), (v["layout", i] == "l1" ? "-" : v["k_s", i] == "inf" ? "rigid" : sprintf("%.4g", v["k_s", i])),
+          v["b", i], v["c_d", i], v["p", i], bound(v["c_lo", i]), bound(v["c_hi", i]), v["zeta", i], loads(i)
       i = best
-      printf "\n**How far from the limit.** What gives first is a %s mode at %.3g m/s, in the corner %s (+: upper end, -: lower).", v["shimmy", i], v["V", i], v["corner", i]
-      printf " c_d alone may lie from %.5g to %.5g.", v["c_lo", i], v["c_hi", i]
+      printf "\n**How far from the limit.** "
+      if (v["V", i] == "") printf "No corner shimmies, however far it was looked."
+      else printf "What gives first is a %s mode at %.3g m/s, in the corner %s (+: upper end, -: lower).", v["shimmy", i], v["V", i], v["corner", i]
+      printf " c_d alone may lie from %s to %s.", bound(v["c_lo", i]), bound(v["c_hi", i])
       printf " The static load alone may be %s (own load: %.4g kN; steps of 0.5 %%).", loads(i), v["F_z", i] / 1e3
       printf " Of single parameters the bounds of c_d follow %s most, by %.3g %% for one per cent.\n\n", v["parameter", i], v["elasticity", i]
       printf "No shimmy is not much damping: the least damping ratio is %.2e, of the %s mode at %.3g m/s; a quarter of the amplitude after three cycles, as is often asked, would be 0.0735, %.0f times as much.%s\n\n", v["zeta", i], v["zeta_shimmy", i], v["zeta_V", i], 0.0735 / v["zeta", i],

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # Collects what the figures' scripts left in build/tables into
 #   results/special_points.csv, boundary_points.csv and widths.csv
-# Where a figure has not been made in this tree its rows stay as they are; in a table that
-# is neither what was made here nor what is committed, those of the commit are taken.
+# Where a figure has not been made in this tree its rows stay as they are, and so they do in a
+# table that is committed and was not made here: what build/tables has of another figure is then
+# older, and goes, so that the figure is made anew.  In a table that is neither what was made
+# here nor what is committed, rows of the commit are taken.
 # Writes the row of versions.csv of a figure that lacks it.
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 build build/bin/mlg
@@ -15,25 +17,38 @@ is_whole() {
   [ -f "$1" ] && awk -F, -v columns="$(tr -dc , <<< "$2" | wc -c)" 'NF != columns + 1 { exit 1 }' "$1" && [ -z "$(tail -c 1 "$1")" ]
 }
 
+# rows FILE COLUMN VALUE[,VALUE...]: those of a table whose column is one of the values
+rows() {
+  local values value
+  IFS=, read -ra values <<< "$3"
+  for value in "${values[@]}"; do mlg pick "$1" "$2=$value"; done
+}
+
 # collect TABLE PART HEAD... -- VALUE[,VALUE...]=FIGURE...: the head lines, then for each
 # FIGURE build/tables/PART.FIGURE.csv, or the rows of TABLE whose first column is a VALUE.
 collect() {
-  local file=results/$1.csv part=$2 columns column key value values known=results/$1.csv
+  local file=results/$1.csv part=$2 columns column key made known=results/$1.csv here=no
   shift 2
   if [ -f "$file" ] && ! is_known "$file" && ! put_back "$file"; then
     known=build/tables/$(basename "$file" .csv).committed.csv
     git show "HEAD:./$file" > "$known" 2> /dev/null || rm "$known"
     echo "  $file is neither what was made here nor what is committed; it is made anew, from committed rows where it has to be" >&2
   fi
+  [ ! -f "$file" ] || [ "$(md5sum < "$file")" != "$(cat "build/tables/${file##*/}.sum" 2> /dev/null)" ] || here=yes
   {
     while [ "$1" != -- ]; do echo "$1"; columns=$1 column=${1%%,*}; shift; done
     shift
     for key; do
-      if is_whole "build/tables/$part.${key#*=}.csv" "$columns"; then
-        cat "build/tables/$part.${key#*=}.csv"
+      made=build/tables/$part.${key#*=}.csv
+      if [ "$here" = no ] && [ "${key#*=}" != "${MLG_FIGURE:-}" ] && [ -f "$made" ] && [ -f "$known" ] &&
+        rows "$known" "$column" "${key%%=*}" > "$made.known" && [ -s "$made.known" ] && ! cmp -s "$made" "$made.known"; then
+        rm "$made"
+      fi
+      rm -f "$made.known"
+      if is_whole "$made" "$columns"; then
+        cat "$made"
       elif [ -f "$known" ]; then
-        IFS=, read -ra values <<< "${key%%=*}"
-        for value in "${values[@]}"; do mlg pick "$known" "$column=$value"; done
+        rows "$known" "$column" "${key%%=*}"
       fi
     done
   } > "$file.new"

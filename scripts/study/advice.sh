@@ -6,10 +6,11 @@
 # shellcheck disable=SC2154 # variables of study.sh
 . scripts/report/advice.sh
 
-# The most tolerant k_s and c_d at the inertance of the best damped design, or without an inerter.
+# The most tolerant k_s and c_d at the inertance of the best damped design, which has to be known
+# (best_damped, exact.sh), or without an inerter.
 tolerant_design() { # LAYOUT
   local layout=$1 b='' row
-  ! has "$layout" b || b=$(of_design "$layout" 'best damped' b)
+  ! has "$layout" b || b=$(awk -F, -v layout="$layout" '$1 == layout && $2 == "best damped" { print $4; exit }' "$folder/designs.csv")
   rm -f "$folder/parts/$layout.advice"
   made "tolerance.$layout.csv" tolerance "$layout" best "${gear[@]}" V_top="$top" ${b:+b="$b"} sample=2000 2> /dev/null || {
     rm -f "$folder/tolerance.$layout.csv"* # none without shimmy
@@ -19,10 +20,8 @@ tolerant_design() { # LAYOUT
   advice_row "$layout" "$row" "${gear[@]}" V_top="$top" > "$folder/parts/$layout.advice"
 }
 
-tolerant_designs() {
+gather_advice() {
   local layout
-  for layout in $layouts; do job tolerant_design "$layout"; done
-  wait
   {
     echo "$advice_head"
     for layout in $layouts; do cat "$folder/parts/$layout.advice" 2> /dev/null || echo "$layout,,,,0,,,,,,,,,,,,,,,,"; done
@@ -30,10 +29,46 @@ tolerant_designs() {
 }
 
 advice_section() {
-  echo "## Advice"
+  echo "## What to build"
   echo
-  advice_words "$folder/advice.csv"
-  echo
-  echo "c_d and k_s of each layout are those of the largest tolerance at the inertance of its best damped design; speeds up to $top m/s."
+  if [ "$(awk -F, 'NR > 1 && $5 > 0' "$folder/advice.csv" | wc -l)" -gt 0 ]; then
+    advice_words "$folder/advice.csv"
+    echo
+    echo "c_d and k_s of each layout are those of the largest tolerance at the inertance of its best damped design; speeds up to $top m/s."
+  else
+    echo "**No device of these layouts keeps this gear free of shimmy** at all speeds up to $top m/s, not even exactly as designed."
+    nearest_words
+  fi
   echo
 }
+
+# Where no device will do: the one with which it grows most slowly, and the load that one can bear.
+nearest_words() {
+  local layout k_s b c_d zeta V f mode words load best=0 line
+  IFS=, read -r layout _ k_s b _ _ _ _ _ _ _ _ c_d zeta V f mode _ < <(awk -F, '
+    $2 != "yours" && $14 + 0 < 0 && (row == "" || $14 + 0 > most) { most = $14 + 0; row = $0 }
+    END { print row }' "$folder/designs.csv") || true
+  [ -n "$layout" ] || return 0
+  mapfile -t words < <(device "$layout" "$k_s" "$b")
+  echo
+  echo "**Nearest to it** comes $(with_words "$layout" "$k_s" "$b") and c_d = $(number "$c_d") N m s/rad: what grows fastest is the $mode mode at $(number "$V" %.3g) m/s, tenfold in $(awk -v z="$zeta" -v f="$f" 'BEGIN { printf "%.2g", log(10) / (-z * 8 * atan2(1, 1) * f) }') s (ζ = $(number "$zeta" %.2e))$(
+    mlg hopf "$layout" c_d="$c_d" "${gear[@]}" V_top="$top" "${words[@]}" | sed 1,2d | cut -d , -f 2 | awk '{ v[++n] = $1 } END { if (n) { printf "; the Hopf points with it are at"; for (i = 1; i <= n; i++) printf "%s %.3g", (i > 1 ? "," : ""), v[i]; printf " m/s" } }')."
+  echo
+  for layout in $layouts; do
+    IFS=, read -r k_s b < <(awk -F, -v layout="$layout" '$1 == layout && $2 != "yours" { row = $3 "," $4 } END { print row }' "$folder/designs.csv")
+    words=()
+    ! has "$layout" b || words=(b="$b")
+    IFS=, read -r load k_s b c_d < <(mlg loads "$layout" largest "${gear[@]}" V_top="$top" "${words[@]}" from="$(times "$(of_load)" 0.02)" to="$(of_load)" 2> /dev/null | sed 1,2d) || continue
+    if awk "BEGIN { exit !($load > $best) }"; then
+      best=$load
+      line="$(with_words "$layout" "$k_s" "$b") and c_d = $(number "$c_d") N m s/rad, which is free of shimmy up to a load of $(awk "BEGIN { printf \"%.4g kN, %.0f %%\", $load / 1e3, 100 * $load / $(of_load) }") of this gear's"
+    fi
+  done
+  if [ "$best" = 0 ]; then
+    echo "**A lower load** does not help either: at none that was looked at has any of these layouts a design without shimmy. The gear itself has to change."
+  else
+    echo "**What helps** is a lower load, or another gear. The device for the largest load is $line."
+  fi
+}
+
+of_load() { awk -F, '$1 == "F_z" { printf "%.8g", $2 }' "$folder/facts.csv"; }

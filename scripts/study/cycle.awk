@@ -1,7 +1,7 @@
 # cycle.awk - one branch of shimmy as a row of cycles.csv (cycles.sh)
 #   lines type,V,psi_max,dstar_max,stable: its points; orbit,phase,t,psi,dstar,lambda_L,lambda_R
-#   (degrees, metres): orbits on it.  row: the cells before; born: the mode of its Hopf point;
-#   e: phi l_delta a k_t F_z l alpha_m
+#   (degrees, metres): orbits on it.  row: the cells before; born: the mode of its Hopf point,
+#   and 1, or 0 for a part of a branch; e: phi l_delta a k_t F_z l alpha_m
 # slip: largest slip angle over alpha_m; roll: largest unloading a mu k_t/2 over F_z/2, mu of (16)
 BEGIN {
   FS = OFS = ","

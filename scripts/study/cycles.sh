@@ -25,7 +25,7 @@ run_settings() { # FINER < speeds of Hopf points, one a line
 run_or_note() {
   local error
   error=$(mlg run "$@" 2>&1 > /dev/null) && return
-  echo "$1,\"$(head -n 1 <<< "${error//\"/}" | cut -d : -f 2-)\"" >> "$part.failures"
+  echo "$1,\"$(head -n 1 <<< "${error//\"/}" | sed 's/^[^:]*: *//; s/; where that is meant.*//')\"" >> "$part.failures"
   return 1
 }
 
@@ -61,17 +61,34 @@ diagram() { # LAYOUT WHICH C_D
   mlg hopf "$layout" c_d="$c_d" "${gear[@]}" V_top="$top" "${base[@]}" | sed 1,2d > "$part.hopf"
   mapfile -t speeds < <(cut -d , -f 2 "$part.hopf")
   try_each "$name.straight" straight < <(printf '%s\n' 1 0.37 0.13) || return 0
-  rows_of "$name.straight" straight every=50 >> "$part.branches"
+  rows_of "$name.straight" straight every=50 | sed 's/$/,1/' >> "$part.branches"
   local ended=' '
   for ((i = 1; i <= ${#speeds[@]}; i++)); do
     [[ $ended != *" $i "* ]] || continue
     n=$((n + 1))
-    try_each "$name.$n" branch < <(printf '%s\n' '5e-4 2.5e-3 1500' '5e-5 2.5e-3 1500' '1e-4 8e-4 4000') || continue
-    rows_of "$name.$n" "$n" ends > "$part.rows"
-    without_false_folds "$part.rows" >> "$part.branches"
-    ended+="$(ended_at "$i") "
-    cycle "$name.$n" "$n" "$i"
+    if try_each "$name.$n" branch < <(printf '%s\n' '5e-4 2.5e-3 1500' '5e-5 2.5e-3 1500' '1e-4 8e-4 4000'); then
+      show_branch "$name.$n" "$n" "$i" 1
+    else
+      show_branch "$name.$n.part" "$n" "$i" 0
+    fi
   done
+}
+
+# The branch of a run, or the good part of one that the judge rejects: its rows of branches.csv and
+# cycles.csv, and the Hopf point that it ends on.
+show_branch() { # RUN BRANCH HOPF_POINT WHOLE
+  rows_of "$1" "$2" ends types=HB,HH,TR,LP,BP,GH,MX 2> /dev/null | good_part "$4" > "$part.rows" || return 0
+  without_false_folds "$part.rows" >> "$part.branches"
+  [ "$4" = 0 ] || ended+="$(ended_at "$3") "
+  cycle "$@"
+}
+
+# Rows up to where AUTO found no solution any more, or fell onto straight rolling; 1: there are none.
+good_part() { # WHOLE
+  awk -F, -v OFS=, -v whole="$1" '
+    $5 == "MX" || $6 $7 $8 ~ /nan|inf/ || ($7 == 0 && most > 0 && !whole) { exit }
+    { if ($7 + 0 > most) most = $7 + 0; print $0, whole; n++ }
+    END { exit !n }'
 }
 
 # Shimmy from Hopf point i.  A small branch wants a small first step, a sharp fold a fine one;
@@ -113,16 +130,16 @@ ended_at() { # NUMBER
 
 # A row of cycles.csv: how large it is, where it is stable, and how far it leaves what the model
 # holds for, from all orbits that AUTO kept.
-cycle() { # RUN BRANCH NUMBER
+cycle() { # RUN BRANCH NUMBER WHOLE
   local closed=0 shimmy label
-  ! mlg judge "$1" | grep -q closed || closed=1
+  ! mlg judge "$1" 2> /dev/null | grep -q closed || closed=1
   shimmy=$(mlg shimmy "$1" 2> /dev/null) || shimmy='?'
   {
     sed -n "s/^$layout,$which,$c_d,$2,//p" "$part.branches"
     for label in $(mlg table "$1" labels | awk -F, '!/^#/ && $1 + 0 { print $2 }'); do
       mlg orbit "$1" "$label" phases=48 prefix=orbit 2> /dev/null || true
     done
-  } | awk -v row="$layout,$which,$c_d,$2,$shimmy,$closed" -v born="$(sed -n "$3p" "$part.hopf" | cut -d , -f 4)" -v e="$(gear_values)" -f scripts/study/cycle.awk >> "$part.cycles"
+  } | awk -v row="$layout,$which,$c_d,$2,$shimmy,$closed" -v born="$(sed -n "$3p" "$part.hopf" | cut -d , -f 4),$4" -v e="$(gear_values)" -f scripts/study/cycle.awk >> "$part.cycles"
 }
 
 gear_values() { awk -F, '{ v[$1] = $2 } END { print v["phi"], v["l_delta"], v["a"], v["k_t"], (v["M"] + v["m_D"]) * v["g"], v["l"], v["alpha_m"] }' "$folder/gear.csv"; }
@@ -167,7 +184,10 @@ run_jobs() { # COMMAND...
 # First what takes longest; torus curves begin at points of the diagrams.
 cycles() {
   local layout which c_d jobs=() after=() n runs
-  for layout in $layouts; do ! has "$layout" k_s || jobs+=("best_damped $layout"); done
+  for layout in $layouts; do
+    ! has "$layout" k_s || jobs+=("best_damped $layout")
+    after+=("tolerant_design $layout")
+  done
   for layout in $layouts; do
     [ "$exact" = no ] || continue
     [ -z "$(twin_of "$layout")" ] || continue
@@ -180,10 +200,11 @@ cycles() {
   done
   rm -f "$folder"/{history,torus}.*.csv
   run_jobs "${jobs[@]}"
-  gather branches layout,which,c_d,branch,type,V,psi_max,dstar_max,stable
-  gather cycles layout,which,c_d,branch,shimmy,closed,V_from,V_to,psi_max,dstar_max,torus,folds,stable,unstable,slip,roll,born
+  gather branches layout,which,c_d,branch,type,V,psi_max,dstar_max,stable,whole
+  gather cycles layout,which,c_d,branch,shimmy,closed,V_from,V_to,psi_max,dstar_max,torus,folds,stable,unstable,slip,roll,born,whole
   find "$folder/parts" -name '*.best' | sort | xargs -r cat >> "$folder/designs.csv"
   run_jobs "${after[@]}"
+  gather_advice
   gather transients layout,c_d,V,disturbance,psi_max,dstar_max,psi_5,psi_end,dstar_5,dstar_end,rate,zeta,limits
   gather failures run,reason
   runs=$(find "$folder/runs" -mindepth 1 -maxdepth 1 -type d ! -name '*.part' | wc -l)

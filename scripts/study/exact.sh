@@ -119,14 +119,18 @@ designs() { # LAYOUT
   }
 }
 
-# The best damped device of a layout: a row of its own, for it takes longer than all the rest.
+# The best damped device of a layout, or where all shimmy the least unstable: a row of its own, for
+# it takes longer than all the rest.
 best_damped() { # LAYOUT
-  local layout=$1 over_b=() k_s b=0 zeta
+  local layout=$1 over_b=() k_s b=0 c_d zeta name
   has "$layout" k_s || return 0
   ! has "$layout" b || over_b=(b_most="$b_most")
   made "best.$layout.csv" damping "$layout" best "${gear[@]}" V_top="$top" V_least=0 "${over_b[@]}" 2> /dev/null || return 0
-  IFS=, read -r b k_s _ zeta _ < <(sed "1d; $([ -n "${over_b[*]}" ] || echo 's/^/0,/')" "$folder/best.$layout.csv")
-  ! awk -v zeta="$zeta" 'BEGIN { exit !(zeta > 0) }' || design "$layout" 'best damped' "$(rigid "$k_s")" "$b" '' > "$folder/parts/$layout.best"
+  IFS=, read -r b k_s c_d zeta _ < <(sed "1d; $([ -n "${over_b[*]}" ] || echo 's/^/0,/')" "$folder/best.$layout.csv")
+  name=$(awk -v zeta="$zeta" 'BEGIN { print (zeta > 0 ? "best damped" : "least unstable") }')
+  design "$layout" "$name" "$(rigid "$k_s")" "$b" '' > "$folder/parts/$layout.best"
+  # at digits rounded the best may have no sure answer; the one found has
+  [ -n "$(cut -d , -f 13 "$folder/parts/$layout.best" | head -n 1)" ] || design "$layout" "$name" "$(rigid "$k_s")" "$b" '' "$c_d" > "$folder/parts/$layout.best"
 }
 
 rigid() { awk -v k_s="$1" 'BEGIN { print (k_s >= 1e30 ? "inf" : k_s) }'; } # K_S, as a table has it

@@ -5,7 +5,7 @@
 # its name in `sections`; its tables come from exact_layout (exact.sh) or from a job of cycles.sh.
 # shellcheck disable=SC2154 # variables of study.sh
 
-sections='head build advice gear layouts last'
+sections='head advice designs gear layouts last'
 
 report() {
   local section
@@ -27,7 +27,7 @@ head_section() {
   fi
 }
 
-# --- what to build ------------------------------------------------------------
+# --- all designs --------------------------------------------------------------
 
 designs_columns="layout=layout|design=design|k_s (N m/rad)=k_s:%.4g|b (N m s²/rad)=b:%.4g|from c_d=c_lo:%.5g|to c_d=c_hi:%.5g|width=width:%.4g|best c_d=c_d:%.4g|least ζ=zeta:%.2e|at V=V:%.3g|mode=shimmy"
 
@@ -40,9 +40,10 @@ best_row() { # width|zeta [LAYOUT]
     END { print row }' "$folder/designs.csv"
 }
 
-build_section() {
-  echo "## What to build"
+designs_section() {
+  echo "## All designs"
   echo
+  [ -z "$(best_row zeta)" ] || { echo "The advice above goes by the tolerance of errors. Other wishes have other answers: the design that bears most errors, the one damped best and the one with the widest interval are seldom the same." && echo; }
   best_damped_words
   widest_words
   yours_words
@@ -58,12 +59,10 @@ build_section() {
 best_damped_words() {
   local layout k_s b lo hi c_d zeta V mode t_5
   IFS=, read -r layout _ k_s b lo hi _ _ _ _ _ _ c_d zeta V _ mode t_5 < <(best_row zeta) || true
-  if [ -z "$layout" ]; then
-    echo "**No device of these layouts keeps this gear free of shimmy** at all speeds up to $top m/s."
-  else
+  [ -z "$layout" ] || {
     echo "**Best damped:** $(with_words "$layout" "$k_s" "$b") and c_d = $(number "$c_d") N m s/rad: $(decay_words "$zeta" "$V" "$mode" "$t_5"). Its interval: $(interval_words "$lo" "$hi"); $(margin_words "$c_d" "$lo" "$hi")."
-  fi
-  echo
+    echo
+  }
 }
 
 widest_words() {
@@ -145,7 +144,7 @@ layouts_section() {
 }
 
 layout_section() { # LAYOUT
-  local layout=$1 twin
+  local layout=$1 twin of
   get_base "$layout"
   twin=$(twin_of "$layout")
   echo "## $(name_of "$layout")"
@@ -157,7 +156,12 @@ layout_section() { # LAYOUT
   table designs.csv "${designs_columns#*|}" layout="$layout"
   ! has "$layout" k_s || over_k_s_words
   if [ -n "$twin" ]; then
-    echo "No k_s$(! has "$layout" b || echo " and b") makes it better than $(name_of "$twin"), and without them it is the same device: planes and diagrams are those of $(name_of "$twin")."
+    of=$(! has "$layout" b || echo " and no b up to $(number "$b_most") N m s²/rad")
+    if awk -F, -v layout="$layout" '$1 == layout && $7 != 0 { found = 1 } END { exit !found }' "$folder/designs.csv"; then
+      echo "No k_s$of makes its interval wider than that of $(name_of "$twin"), and without them it is the same device: planes and diagrams are those of $(name_of "$twin")."
+    else
+      echo "No k_s$of gives it an interval. Without them it is the same device as $(name_of "$twin"): planes and diagrams are those of $(name_of "$twin")."
+    fi
     echo
     return
   fi
@@ -179,7 +183,7 @@ plane_section() {
 # A pair of pictures for each diagram, which stand side by side where there is room.
 branches_section() {
   local diagram
-  echo "Shimmy along V at the values of c_d that tell most, as the largest ψ and the largest δ* over a period: blue stable, dashed red unstable; red dots Hopf points, rings torus points, triangles folds."
+  echo "Shimmy along V at the values of c_d that tell most, as the largest ψ and the largest δ* over a period: blue stable, dashed red unstable; red dots Hopf points, rings torus points, triangles folds$(! grep -q "^$layout,.*,0$" "$folder/cycles.csv" || echo "; on grey, the part of a branch up to where AUTO went no further")."
   echo
   for diagram in $(diagrams_of "$layout"); do
     printf '![ψ along V](branches.%s.%s.psi.svg) ![δ* along V](branches.%s.%s.dstar.svg)\n\n' "$layout" "$diagram" "$layout" "$diagram"
@@ -212,7 +216,7 @@ last_section() {
   echo
   if [ "$exact" = no ]; then
     if [ "$(wc -l < "$folder/failures.csv")" -gt 1 ]; then
-      echo "Runs of AUTO that failed (layout.diagram.branch); what they would show is missing above:"
+      echo "Runs of AUTO that failed (layout.diagram.branch); a branch is shown up to where its run was good, on grey, and what lies beyond is missing:"
       table failures.csv "run=run|reason=reason"
     else
       echo "No run failed."

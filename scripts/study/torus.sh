@@ -47,6 +47,11 @@ torus_rows() { # RUN PSI_MAX_AT_ITS_END
     vanishes && $4 == "HH" && ($5 - V) ^ 2 < near ^ 2 && $6 < 1.5 * c && $6 > c / 1.5 { print n, $5, $6; exit }' - "$folder/plane.$layout.csv"
 }
 
+# Of a way that the judge rejects the points up to where AUTO found none any more.
+torus_part() { # RUN
+  { mlg rows "$1" columns=V,c_d,type types=MX 2> /dev/null || true; } | awk -F, -v OFS=, -v n="$n" '$3 == "MX" || $1 $2 ~ /nan|inf/ { exit } { print n, $1, $2 }'
+}
+
 torus_curves() { # LAYOUT
   local layout=$1 part=$folder/parts/$1.curves c_d V run which psi n=0 name way end
   : > "$part.failures"
@@ -55,10 +60,15 @@ torus_curves() { # LAYOUT
     ! on_a_curve "$c_d" "$V" || continue
     n=$((n + 1)) name=$layout.torus.$n
     for way in up down; do
-      : > "$part.$way"
-      ! try_each "$name.$way" along_torus < <(printf '%s\n' '15 5e-3 0.1' '15 1e-3 0.1' '40 2e-3 0.2') || torus_rows "$name.$way" "$end" > "$part.$way"
+      rm -rf "$MLG_RUNS/$name.$way.part"
+      if try_each "$name.$way" along_torus < <(printf '%s\n' '15 5e-3 0.1' '15 1e-3 0.1' '40 2e-3 0.2'); then
+        torus_rows "$name.$way" "$end" > "$part.$way"
+      else
+        torus_part "$name.$way.part" > "$part.$way"
+      fi
     done
-    { tac "$part.up"; cat "$part.down"; echo; } >> "$part.torus"
+    # of a start that led nowhere there is nothing to show
+    [ "$(cat "$part.up" "$part.down" | wc -l)" -lt 4 ] || { tac "$part.up"; cat "$part.down"; echo; } >> "$part.torus"
   done < <(torus_points "$layout")
   [ ! -s "$part.torus" ] || { echo curve,V,c_d; cat "$part.torus"; } > "$folder/torus.$layout.csv"
 }

@@ -151,7 +151,7 @@ branches_words() { # LAYOUT
     $1 == layout {
       count[$2]++
       shape = $13 && $14 ? "stable in part" : $14 ? "unstable" : "stable"
-      end = $6 ? "" : $8 > 0.999 * top ? " and on" : $7 < 0.006 * top ? " and on to lower V" : ", followed to 60 degrees or 0.3 m"
+      end = !$18 ? " (**in part**: AUTO went no further)" : $6 ? "" : $8 > 0.999 * top ? " and on" : $7 < 0.006 * top ? " and on to lower V" : ", followed to 60 degrees or 0.3 m"
       text[$2] = text[$2] sprintf("; %s-shimmy from %.4g to %.4g m/s%s, at most %.3g deg and %.3g mm, %s%s%s", $5, $7, $8, end, $9, 1e3 * $10, shape,
         $11 == "" ? "" : ", torus " points($11) " at " list($11) " m/s", $12 == "" ? "" : ", fold" (points($12) == "points" ? "s" : "") " at " list($12) " m/s")
     }
