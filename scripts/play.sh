@@ -57,7 +57,16 @@ read -r from step weight <<< "$(mlg constants "constants/c.l1.orbit" layout="$la
     }')"
 [ "$weight" != 0 ] || fail "play.sh: '$along=$to' is where the branch begins; to= says where it goes" 2
 run "$name" "$layout.orbit" dat="build/tables/$name.dat" ${constants[@]+"${constants[@]}"} \
-  ICP="['$along', 'period', 'psi_max', 'dstar_max']" THL="{'$along': $weight, 'period': 0.0}" \
+  ICP="['$along', 'period', 'psi_max', 'dstar_max', 'torus']" THL="{'$along': $weight, 'period': 0.0}" \
   DS="$step" DSMAX=0.02 UZSTOP="{'$along': $to}" --
 mlg table "$name" > "build/tables/$name.csv"
+# its folds, and between which points a pair of multipliers leaves the unit circle (beside a fold
+# the trivial one and another look like a pair)
+awk -F, -v along="$along" '
+  /^#/ { next }
+  !names++ { for (k = 1; k <= NF; k++) place[$k] = k; next }
+  { x = $place[along]; torus = $place["torus"] }
+  $3 == "LP" { printf "  fold at %s = %.7g\n", along, x; torus = -1 }
+  rows++ && torus * last < 0 && torus > -0.1 && last > -0.1 { printf "  torus point between %s = %.6g and %.6g\n", along, before, x }
+  { before = x; last = torus }' "build/tables/$name.csv"
 echo "  $along from $from: build/tables/$name.csv"

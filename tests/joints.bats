@@ -141,7 +141,7 @@ designs() { # the paper's, each in the middle of its interval
     sharp=$(mlg cycle "$layout" $words settle=40 | awk -F, 'NR == 3 { print $1, $3 }')
     # shellcheck disable=SC2086
     scripts/play.sh round "$layout" along=V to=45 $words corner=0.003 settle=40 >/dev/null
-    amplitude=$(awk -F, '/^1,/ { print $(NF - 2), $(NF - 1) }' build/tables/round.csv)
+    amplitude=$(mlg pick build/tables/round.csv columns=period,psi_max | head -n 1 | tr , ' ')
     near "${amplitude% *}" "${sharp% *}" 1e-4 "period of $design"
     near "${amplitude#* }" "${sharp#* }" 2e-4 "psi of $design"
     n=$((n + 1))
@@ -154,7 +154,7 @@ designs() { # the paper's, each in the middle of its interval
   while read -r along to; do
     # shellcheck disable=SC2086 # words
     scripts/play.sh there l2 along="$along" to="$to" V=60 c_d=8000 k_s=7.86e5 v_f=0.05 corner=0.01 $worn >/dev/null
-    last=$(tail -n 1 build/tables/there.csv | awk -F, '{ print $(NF - 1) }')
+    last=$(mlg pick build/tables/there.csv columns=psi_max | tail -n 1)
     # shellcheck disable=SC2046,SC2086
     near "$(cell psi_max cycle l2 settle=60 "$along=$to" $(printf '%s\n' V=60 c_d=8000 k_s=7.86e5 v_f=0.05 corner=0.01 $worn |
       grep -v "^$along="))" "$last" 5e-5 "psi at $along = $to"
@@ -166,6 +166,41 @@ c_2 3000
 c_d 15000
 V 90
 EOF
+}
+
+@test "what no periodic orbit is: a torus, irregular, at rest within the gap, or too many steps" {
+  local middle="k_s=2.48e6 b=140 c_d=12600.6" best="k_s=1404610 b=140 c_d=15288.4"
+  # shellcheck disable=SC2086 # words
+  {
+    run -1 mlg cycle li2 $middle V=150 g_psi=0.0130899694 psi=0.05 rtol=1e-8
+    [[ $output == "mlg cycle: the oscillation is quasi-periodic, a torus: maxima of psi from 0.68"*", modulated at 0.69"*" Hz;"* ]]
+    run -0 mlg cycle li2 motion $best V=50 g_psi=0.015271631 psi=0.05 rtol=1e-8
+    [[ ${lines[2]} == irregular,* ]]
+    awk -F, '{ exit !($6 > 0.5 && $3 > 2 * 0.875) }' <<<"${lines[2]}" # it leaves the gap
+    run -1 mlg cycle li2 $best V=170 g_psi=0.002181661565 psi=0.05 rtol=1e-8
+    [[ $output == "mlg cycle: the oscillation dies out: maxima of psi from 0.0"* ]] # slowly, in a gap of 0.125 degrees
+    run -1 mlg cycle l1 V=60 c_d=2890 $worn steps=1000
+    [[ $output == "mlg cycle: t = "*" s: the steps are used up (steps= allows more)" ]]
+  }
+}
+
+@test "an orbit is of its least period, and its multipliers do not hang on the tolerance" {
+  local rtol multiplier
+  # the run comes back within 0.02 after four maxima before it does after one
+  [ "$(cell maxima cycle l1 V=20 c_d=2886.7 g_psi=0.001 T_f=100 v_f=0.01 psi=0.05)" = 1 ]
+  multiplier=$(cell multiplier cycle li2 k_s=2.48e6 b=140 c_d=12600.6 V=110 g_psi=0.002181661565 psi=0.05)
+  near "$(cell multiplier cycle li2 k_s=2.48e6 b=140 c_d=12600.6 V=110 g_psi=0.002181661565 psi=0.05 rtol=1e-8)" "$multiplier" 1e-4 multiplier
+}
+
+@test "the torus begins where AUTO's multipliers leave the unit circle" {
+  local V
+  scripts/play.sh torus li2 along=V to=140 V=130 k_s=2.48e6 b=140 c_d=12600.6 g_psi=0.0174532925 corner=0.02 psi=0.05 > play.out
+  V=$(sed -n 's/.*torus point between V = //p' play.out)
+  near "${V% and *}" 135.3 5e-3 "the torus point, or just before"
+  near "${V#* and }" 135.3 1e-2 "the torus point, or just behind"
+  run -0 mlg cycle li2 motion k_s=2.48e6 b=140 c_d=12600.6 g_psi=0.0174532925 corner=0.02 psi=0.02 rtol=1e-8 V=140
+  [[ ${lines[2]} == quasi_periodic,* ]]
+  [ "$(cell maxima cycle li2 k_s=2.48e6 b=140 c_d=12600.6 g_psi=0.0174532925 corner=0.02 psi=0.02 rtol=1e-8 V=130)" = 1 ]
 }
 
 @test "describing functions are near the cycles, nearer where the motion is one harmonic" {

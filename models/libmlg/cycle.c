@@ -1,82 +1,42 @@
 /* cycle.c - a periodic orbit from an integration, by Newton's method on a Poincare map
  *
- * The section is psi' = 0 downwards, the maxima of psi; a period is the least number of
- * them, up to 8, after which the gear is back.  The map's derivative is differenced,
- * column by column, and its eigenvalues are the orbit's multipliers but the trivial one.
+ * The map is that of the maxima of psi (poincare.h); a period is the least number of them
+ * after which the gear is back.  The map's derivative is differenced, column by column, and
+ * its eigenvalues are the orbit's multipliers but the trivial one.  The run may settle on
+ * something else than the orbit that Newton's method finds beside it: then it is watched
+ * (motion.c), and looked at again.
  */
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include <lapacke.h>
 
-#include "layout.h"
+#include "poincare.h"
 
-enum { MOST = LIBMLG_MOST_STATES, MOST_MAXIMA = 8 };
+enum { MOST = LIBMLG_MOST_STATES, MOST_MAXIMA = 8, ROUNDS = 4 };
 
-struct map { struct libmlg_run *run; const double *par; int n, maxima; double size[MOST]; };
-
-static double size_of(const struct map *m, const double u[])
-{
-  double size = 1e-12;
-
-  for (int i = 0; i < m->n; i++)
-    size = fmax(size, fabs(u[i]) / m->size[i]);
-  return size;
-}
-
-static double distance(const struct map *m, const double u[], const double v[])
-{
-  double far = 0.;
-
-  for (int i = 0; i < m->n; i++)
-    far = fmax(far, fabs(u[i] - v[i]) / m->size[i]);
-  return far / size_of(m, u);
-}
-
-/* On to the next maximum of psi; 0 when there is none for a long time. */
-static int next_maximum(struct libmlg_run *run)
-{
-  const double end = run->t + 20.;
-  int reached;
-
-  do
-    reached = libmlg_run_to(run, end);
-  while (reached == LIBMLG_AT_LIMIT);
-  return reached == LIBMLG_AT_SECTION;
-}
-
-/* The map from u to v, a period on; *period its time.  0 when it does not come back. */
-static int returns(const struct map *m, const double u[], double v[], double *period)
-{
-  libmlg_run_start(m->run, m->par, u);
-  for (int i = 0; i < m->maxima; i++)
-    if (!next_maximum(m->run))
-      return 0;
-  memcpy(v, m->run->u, (size_t)m->n * sizeof *v);
-  *period = m->run->t;
-  return 1;
-}
+static const char no_maximum[] = "Newton's method leads where psi has no maximum";
+static const char singular[] = "the derivative of the Poincare map is singular";
 
 /* The least number of maxima after which the run is nearly back, or 0. */
-static int count_maxima(struct map *m, double nearly)
+static int count_maxima(const struct poincare *m, double nearly)
 {
   double u[MOST];
 
   memcpy(u, m->run->u, sizeof u);
   for (int k = 1; k <= MOST_MAXIMA; k++)
-    if (!next_maximum(m->run))
+    if (!poincare_next(m))
       return 0;
-    else if (distance(m, u, m->run->u) < nearly)
+    else if (poincare_distance(m, u, m->run->u) < nearly)
       return k;
   return 0;
 }
 
 /* A Newton step of u, whose image is v; the multipliers into c.  dpsi is 0 throughout. */
-static int improve(const struct map *m, double u[], const double v[], struct libmlg_cycle *c)
+static int improve(const struct poincare *m, double u[], const double v[], struct libmlg_cycle *c)
 {
   const int n = m->n - 1;
-  const double h = 1e-5 * size_of(m, u);
+  const double h = m->difference * poincare_size(m, u);
   double J[MOST * MOST], A[MOST * MOST], right[MOST], image[MOST], moved[MOST], period;
   int at[MOST], pivot[MOST], k = 0;
 
@@ -86,7 +46,7 @@ static int improve(const struct map *m, double u[], const double v[], struct lib
   for (int j = 0; j < n; j++) {
     memcpy(moved, u, sizeof moved);
     moved[at[j]] += h * m->size[at[j]];
-    if (!returns(m, moved, image, &period))
+    if (!poincare_image(m, moved, c->maxima, image, &period))
       return 0;
     for (int i = 0; i < n; i++)
       J[i + n * j] = (image[at[i]] - v[at[i]]) / (h * m->size[at[j]]);
@@ -108,12 +68,82 @@ static int improve(const struct map *m, double u[], const double v[], struct lib
   return 1;
 }
 
-/* Largest |psi| and |delta| over the period. */
-static void measure(const struct map *m, struct libmlg_cycle *c)
+/* The fixed point near c->u, and the time there; else 0 and why. */
+static int fixed_point(const struct poincare *m, double before, struct libmlg_cycle *c)
+{
+  double v[MOST], last = INFINITY;
+
+  for (int i = 0; i < 12; i++) {
+    c->why = no_maximum;
+    if (!poincare_image(m, c->u, c->maxima, v, &c->period))
+      return 0;
+    c->error = poincare_distance(m, c->u, v);
+    if (c->error < 1e-8 || (i > 2 && c->error > 0.5 * last && c->error < 1e-5))
+      break;
+    last = c->error;
+    c->why = singular;
+    if (!improve(m, c->u, v, c))
+      return 0;
+    c->why = "Newton's method leads away";
+    if (poincare_size(m, c->u) < 1e-3 * poincare_size(m, v) || poincare_size(m, c->u) > 1e2 * poincare_size(m, v))
+      return 0;
+  }
+  c->why = "the oscillation dies out";
+  if (poincare_size(m, c->u) < 1e-6 * before) /* Newton's method came to rest */
+    return 0;
+  c->why = "Newton's method does not converge";
+  return c->error < 1e-5;
+}
+
+/* The orbit of c->maxima maxima near c->u, and its multipliers; else 0 and why. */
+static int orbit_near(const struct poincare *m, double before, struct libmlg_cycle *c)
+{
+  double v[MOST], next[MOST];
+
+  if (!fixed_point(m, before, c))
+    return 0;
+  c->why = singular;
+  memcpy(next, c->u, sizeof next);
+  if (!poincare_image(m, c->u, c->maxima, v, &c->period) || !improve(m, next, v, c))
+    return 0;
+  c->largest = 0.;
+  for (int i = 0; i < c->multipliers; i++)
+    c->largest = fmax(c->largest, hypot(c->multiplier_re[i], c->multiplier_im[i]));
+  c->why = NULL;
+  return 1;
+}
+
+/* The same with its least period.  Beside a doubled orbit, too near to be told from it, there
+ * is an unstable one of half the period. */
+static int newton(const struct poincare *m, double before, struct libmlg_cycle *c)
+{
+  if (!orbit_near(m, before, c))
+    return 0;
+  for (int k = 1; k < c->maxima; k++) {
+    struct libmlg_cycle shorter = *c;
+    double v[MOST], time;
+
+    shorter.maxima = k;
+    if (c->maxima % k == 0 && poincare_image(m, c->u, k, v, &time) && poincare_distance(m, c->u, v) < 0.02
+        && orbit_near(m, before, &shorter) && poincare_distance(m, c->u, shorter.u) < 0.05
+        && (shorter.largest < 1. || c->largest >= 1.))
+      *c = shorter;
+  }
+  return 1;
+}
+
+/* The maxima of psi, and the largest |psi| and |delta| over the period. */
+static void measure(const struct poincare *m, struct libmlg_cycle *c)
 {
   static const int rate[2] = { DPSI, DDELTA }, angle[2] = { PSI, DELTA };
   double *const most[2] = { &c->psi, &c->delta };
 
+  libmlg_run_start(m->run, m->par, c->u);
+  c->psi_least = c->psi_most = c->u[PSI];
+  for (int k = 1; k < c->maxima && poincare_next(m); k++) {
+    c->psi_least = fmin(c->psi_least, m->run->u[PSI]);
+    c->psi_most = fmax(c->psi_most, m->run->u[PSI]);
+  }
   for (int k = 0; k < 2; k++) {
     libmlg_run_start(m->run, m->par, c->u);
     libmlg_run_section(m->run, rate[k], 0);
@@ -127,72 +157,101 @@ static void measure(const struct map *m, struct libmlg_cycle *c)
   libmlg_run_section(m->run, DPSI, -1);
 }
 
+/* Settles for so long, to a maximum of psi; else 0, why and, where it is at rest, that. */
+static int settle_for(const struct poincare *m, double settle, double before, struct libmlg_cycle *c)
+{
+  int on;
+
+  do {
+    on = poincare_next(m);
+    if (poincare_size(m, m->run->u) < 1e-7 * before || (!on && fabs(m->run->u[PSI]) < m->gap)) {
+      c->why = "the oscillation dies out";
+      c->motion.kind = LIBMLG_DIES_OUT;
+      return 0;
+    }
+  } while (on && m->run->t < settle);
+  c->why = "psi has no maximum for 20 s";
+  return on;
+}
+
+static const char *why_not(enum libmlg_motion_kind kind)
+{
+  switch (kind) {
+  case LIBMLG_DIES_OUT: return "the oscillation dies out";
+  case LIBMLG_SETTLING: return "the oscillation still settles";
+  case LIBMLG_QUASI_PERIODIC: return "the oscillation is quasi-periodic, a torus";
+  case LIBMLG_IRREGULAR: return "the oscillation is irregular";
+  default: return "the oscillation is not periodic, and what it is was not found out";
+  }
+}
+
+/* Newton's method from where the run is, with a period of so many maxima (0: none is seen). */
+static int try_orbit(const struct poincare *m, int maxima, double before, struct libmlg_cycle *c)
+{
+  c->maxima = maxima;
+  memcpy(c->u, m->run->u, sizeof c->u);
+  if (maxima == 0) {
+    c->why = "the oscillation is not periodic yet, or not at all";
+    return 0;
+  }
+  return newton(m, before, c);
+}
+
+/* The orbit that it settles on, watching it where need be. */
+static int settled_orbit(const struct poincare *m, double before, struct libmlg_cycle *c)
+{
+  double u[MOST];
+
+  for (int round = 0; round < ROUNDS; round++) {
+    memcpy(u, m->run->u, sizeof u);
+    if (try_orbit(m, count_maxima(m, 0.02), before, c) && c->largest < 1.) {
+      c->motion.kind = LIBMLG_PERIODIC;
+      return 1;
+    }
+    libmlg_run_start(m->run, m->par, u);
+    if (!poincare_watch(m, &c->motion))
+      return 0;
+    if (poincare_size(m, c->motion.u) < 1e-7 * before)
+      c->motion.kind = LIBMLG_DIES_OUT;
+    if (c->motion.maxima > MOST_MAXIMA && try_orbit(m, c->motion.maxima, before, c) && c->largest < 1.) {
+      c->motion.kind = LIBMLG_PERIODIC;
+      return 1;
+    }
+    libmlg_run_start(m->run, m->par, c->motion.u);
+    if (c->motion.kind == LIBMLG_PERIODIC && try_orbit(m, c->motion.maxima, before, c))
+      return 1; /* it stays there, whatever the differences say of its multipliers */
+    c->why = why_not(c->motion.kind);
+    if (c->motion.kind == LIBMLG_DIES_OUT || c->motion.kind == LIBMLG_QUASI_PERIODIC || c->motion.kind == LIBMLG_IRREGULAR)
+      return 0;
+    libmlg_run_start(m->run, m->par, c->motion.u);
+  }
+  return 0;
+}
+
 int libmlg_cycle(struct libmlg_run *run, int layout, const double par[], const double start[], double settle,
                  struct libmlg_cycle *c)
 {
-  struct map m = { .run = run, .par = par, .n = libmlg_states(layout) };
   const double before = libmlg_oscillation_size(layout, start);
-  double v[MOST], u[MOST];
-  double last = INFINITY;
+  struct poincare m;
+  int found;
 
-  if (m.n < 0)
+  if (poincare_begin(&m, run, layout, par) != 0)
     return LIBMLG_NONE;
-  *c = (struct libmlg_cycle){ .why = NULL };
-  for (int i = 0; i < m.n; i++)
-    m.size[i] = libmlg_state_size(layout, i);
+  *c = (struct libmlg_cycle){ .motion = { .kind = LIBMLG_UNDECIDED } };
+  run->error[0] = '\0';
   libmlg_run_start(run, par, start);
   libmlg_run_section(run, DPSI, -1);
-  while (run->t < settle)
-    if (!next_maximum(run) || libmlg_oscillation_size(layout, run->u) < 1e-7 * before) {
-      c->why = "the oscillation dies out";
-      return LIBMLG_FAILED;
-    }
-  if (settle <= 0. && !next_maximum(run)) {
-    c->why = "psi has no maximum";
+  if (!settle_for(&m, settle, before, c))
+    found = 0;
+  else
+    found = settle > 0. ? settled_orbit(&m, before, c) : try_orbit(&m, count_maxima(&m, 0.02), before, c);
+  if (run->error[0]) { /* the integration failed */
+    c->why = NULL;
+    c->motion.kind = LIBMLG_UNDECIDED;
+    found = 0;
+  }
+  if (!found)
     return LIBMLG_FAILED;
-  }
-  if ((m.maxima = count_maxima(&m, 0.02)) == 0) {
-    c->why = "the oscillation is not periodic yet, or not at all";
-    return LIBMLG_FAILED;
-  }
-  memcpy(u, run->u, sizeof u);
-  for (int i = 0; i < 12; i++) {
-    if (!returns(&m, u, v, &c->period)) {
-      c->why = "Newton's method leads where psi has no maximum";
-      return LIBMLG_FAILED;
-    }
-    c->error = distance(&m, u, v);
-    if (c->error < 1e-8 || (i > 2 && c->error > 0.5 * last && c->error < 1e-5))
-      break;
-    last = c->error;
-    if (!improve(&m, u, v, c)) {
-      c->why = "the derivative of the Poincare map is singular";
-      return LIBMLG_FAILED;
-    }
-    if (size_of(&m, u) < 1e-3 * size_of(&m, v) || size_of(&m, u) > 1e2 * size_of(&m, v)) {
-      c->why = "Newton's method leads away";
-      return LIBMLG_FAILED;
-    }
-  }
-  if (size_of(&m, u) < 1e-6 * before) { /* Newton's method came to rest */
-    c->why = "the oscillation dies out";
-    return LIBMLG_FAILED;
-  }
-  if (!(c->error < 1e-5)) {
-    c->why = "Newton's method does not converge";
-    return LIBMLG_FAILED;
-  }
-  c->maxima = m.maxima;
-  memcpy(c->u, u, sizeof c->u);
-  if (c->multipliers == 0) { /* converged at once */
-    memcpy(v, u, sizeof v);
-    if (!returns(&m, u, v, &c->period) || !improve(&m, u, v, c)) {
-      c->why = "the derivative of the Poincare map is singular";
-      return LIBMLG_FAILED;
-    }
-  }
-  for (int i = 0; i < c->multipliers; i++)
-    c->largest = fmax(c->largest, hypot(c->multiplier_re[i], c->multiplier_im[i]));
   measure(&m, c);
   return 0;
 }

@@ -55,6 +55,7 @@ struct libmlg_integrator {
   int section; /* the state whose passages through 0 are met, -1: none */
   int laws;    /* whether one of elements.h is on */
   int refused; /* whether the last states asked for have no rates */
+  long counted; /* steps since CVODE started anew that are in run->steps */
   SUNContext context;
   N_Vector vector; /* around run->u */
   SUNMatrix matrix;
@@ -166,12 +167,23 @@ int libmlg_run_begin(struct libmlg_run *run, int layout, double rtol)
       || CVodeSetUserData(in->cvode, in) != CV_SUCCESS
       || CVodeSetLinearSolver(in->cvode, in->solver, in->matrix) != CV_SUCCESS
       || CVodeRootInit(in->cvode, ROOTS, roots) != CV_SUCCESS
-      || CVodeSetNoInactiveRootWarn(in->cvode) != CV_SUCCESS
-      || CVodeSetMaxNumSteps(in->cvode, 10 * 1000 * 1000) != CV_SUCCESS) {
+      || CVodeSetNoInactiveRootWarn(in->cvode) != CV_SUCCESS) {
     libmlg_run_end(run);
     return LIBMLG_FAILED;
   }
   return 0;
+}
+
+double libmlg_run_tolerance(const struct libmlg_run *run)
+{
+  return run->integrator->rtol;
+}
+
+/* Starts anew where the run is. */
+static void restart(const struct libmlg_run *run)
+{
+  CVodeReInit(run->integrator->cvode, run->t, run->integrator->vector);
+  run->integrator->counted = 0;
 }
 
 void libmlg_run_section(struct libmlg_run *run, int state, int direction)
@@ -181,7 +193,7 @@ void libmlg_run_section(struct libmlg_run *run, int state, int direction)
 
   in->section = state;
   CVodeSetRootDirection(in->cvode, directions);
-  CVodeReInit(in->cvode, run->t, in->vector);
+  restart(run);
 }
 
 void libmlg_run_start(struct libmlg_run *run, const double par[], const double u[])
@@ -193,7 +205,25 @@ void libmlg_run_start(struct libmlg_run *run, const double par[], const double u
   run->t = 0.;
   run->limits = run->corners = 0;
   in->laws = mlg_has_laws(in->slots);
-  CVodeReInit(in->cvode, run->t, in->vector);
+  restart(run);
+}
+
+/* CVODE on to t, its steps counted and at most as many as are left. */
+static int integrate(struct libmlg_run *run, double t)
+{
+  struct libmlg_integrator *in = run->integrator;
+  const long left = run->most_steps > 0 ? run->most_steps - run->steps : 10 * 1000 * 1000;
+  long steps;
+  int status;
+
+  if (left <= 0)
+    return CV_TOO_MUCH_WORK;
+  CVodeSetMaxNumSteps(in->cvode, left);
+  status = CVode(in->cvode, t, in->vector, &run->t, CV_NORMAL);
+  CVodeGetNumSteps(in->cvode, &steps);
+  run->steps += steps - in->counted;
+  in->counted = steps;
+  return status;
 }
 
 /* One stretch of the way to t; *met where a corner ends it that nobody asked for. */
@@ -205,7 +235,7 @@ static int stretch(struct libmlg_run *run, double t, int *met)
   *met = 0;
   if (!(t > run->t))
     return LIBMLG_AT_TIME;
-  status = CVode(in->cvode, t, in->vector, &run->t, CV_NORMAL);
+  status = integrate(run, t);
   if (status < 0) {
     snprintf(run->error, sizeof run->error, "t = %.6g s: %s", run->t,
              in->refused ? "an angle passes pi/2, or the rates are not finite"
@@ -220,7 +250,7 @@ static int stretch(struct libmlg_run *run, double t, int *met)
   run->corners += *met;
   run->limits += (found[LIMIT_L] != 0) + (found[LIMIT_R] != 0);
   if (*met || found[LIMIT_L] || found[LIMIT_R])
-    CVodeReInit(in->cvode, run->t, in->vector);
+    restart(run);
   if (found[SECTION])
     return LIBMLG_AT_SECTION;
   return LIBMLG_AT_LIMIT;

@@ -44,6 +44,9 @@ int libmlg_spectrum(const struct libmlg_layout *l, const double slots[], double 
 int libmlg_mode_near(const struct libmlg_layout *l, const double slots[], double re, double im,
                      struct libmlg_mode *mode, double _Complex right[], double _Complex left[]);
 
+/* The rtol of libmlg_run_begin(). */
+double libmlg_run_tolerance(const struct libmlg_run *run);
+
 /* libmlg_criticality() of any right-hand side that has the states of a gear. */
 int libmlg_normal_form(const struct libmlg_layout *l, const double slots[], double omega,
                        struct libmlg_mode *mode, double *a);

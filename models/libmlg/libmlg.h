@@ -208,6 +208,7 @@ struct libmlg_run {
   long corners;                    /* how often a sharp corner of a law (end of a gap, relief
                                       valve, reversal of an orifice) was passed */
   char error[200];                 /* why it failed, in one line */
+  long steps, most_steps;          /* of the integration since it began; it fails beyond most_steps, 0: never */
   struct libmlg_integrator *integrator; /* its own */
 };
 
@@ -237,22 +238,48 @@ int libmlg_run_to(struct libmlg_run *run, double t);
 /* Frees all; also after a begin that failed, or a second time. */
 void libmlg_run_end(struct libmlg_run *run);
 
+/* What a run does in the long term, as far as some hundred maxima of psi tell. */
+enum libmlg_motion_kind {
+  LIBMLG_PERIODIC,
+  LIBMLG_DIES_OUT,       /* it falls for good, or stays within its gaps and falls there */
+  LIBMLG_SETTLING,       /* to what cannot be told yet: it is slow */
+  LIBMLG_QUASI_PERIODIC, /* a torus: a second frequency, and its multiples with the first, alone */
+  LIBMLG_IRREGULAR,      /* neighbours part: exponent > 0 */
+  LIBMLG_UNDECIDED       /* none of these for sure */
+};
+const char *libmlg_motion_name(enum libmlg_motion_kind kind); /* "periodic", ... */
+
+struct libmlg_motion {
+  enum libmlg_motion_kind kind;
+  double psi_least, psi_most; /* of the maxima of psi, rad */
+  double frequency_hz;        /* maxima in a second */
+  double modulation_hz;       /* the strongest line of their values, at most half of that; 0: none */
+  double exponent;            /* 1/s, the largest Lyapunov exponent of their map */
+  int watched, maxima;        /* how many; after how many it is nearly back, 0: it is not */
+  double time;                /* s, that was watched */
+  double u[LIBMLG_MOST_STATES]; /* at the last */
+};
+
 /* A periodic orbit. */
 struct libmlg_cycle {
   double u[LIBMLG_MOST_STATES]; /* at a maximum of psi */
   double period;                /* s */
   double psi, delta;            /* largest |psi| and |delta|, rad */
+  double psi_least, psi_most;   /* of the maxima of psi, rad */
   int maxima;                   /* of psi in a period */
   double error;                 /* how far from u it is after a period, relative to its size */
   int multipliers;              /* Floquet multipliers but the trivial one, and the largest modulus */
   double multiplier_re[LIBMLG_MOST_STATES], multiplier_im[LIBMLG_MOST_STATES], largest;
   long corners, limits;         /* passed in a period */
   const char *why;              /* what went wrong, in words */
+  struct libmlg_motion motion;  /* with settle > 0: what it does, where no orbit was found too */
 };
 
 /* The orbit that the states start[] lead to: the gear settles for so many seconds, in a run
- * that has begun, and Newton's method finds the fixed point of its Poincare map; with settle
- * = 0 that is unstable orbits too.  Returns 0, LIBMLG_NONE, or LIBMLG_FAILED and why. */
+ * that has begun, and Newton's method finds the fixed point of its Poincare map, which has to
+ * be stable or where the run is; else the run is watched for 400 maxima, and again while it
+ * settles.  With settle = 0 it is any orbit, unstable ones too, and nothing is watched.
+ * Returns 0, LIBMLG_NONE, or LIBMLG_FAILED and why; why is NULL where *run says it. */
 int libmlg_cycle(struct libmlg_run *run, int layout, const double par[], const double start[], double settle,
                  struct libmlg_cycle *cycle);
 

@@ -31,7 +31,7 @@ gear() { # LAYOUT CHOICE
 
 of() { # NAME LAYOUT COMMAND...
   local files
-  mapfile -t files < <(sources "$2" models/libmlg/{balance,cycle,integrate,eigenvalues}.c scripts/mlg/gear/joints.c)
+  mapfile -t files < <(sources "$2" models/libmlg/{balance,cycle,motion,poincare,integrate,eigenvalues}.c scripts/mlg/gear/joints.c)
   made "joints.$1.$2" "${files[@]}" -- "${@:3}"
 }
 
@@ -91,10 +91,11 @@ tables() {
   begin_table results/joints.csv \
     "# Shimmy about the play g_psi (half-width, rad) of the torque links at V m/s. choice: middle of the zero-shimmy interval, or" \
     "# the best damped (best). psi deg, frequency_hz Hz: the largest stable cycle by describing functions (mlg joints);" \
-    "# psi_cycle, hz_cycle, multiplier: by integration with located ends of the gap, rtol 1e-8, Newton's method 1e-8; empty: not periodic." \
-    layout,choice,V,g_psi,psi,frequency_hz,psi_cycle,hz_cycle,multiplier
+    "# psi_cycle, hz_cycle, multiplier: by integration with located ends of the gap, rtol 1e-8, Newton's method 1e-8; empty: not periodic," \
+    "# motion says what (mlg help cycle), psi_most deg is the largest maximum of psi then. 0: it dies out." \
+    layout,choice,V,g_psi,psi,frequency_hz,psi_cycle,hz_cycle,multiplier,motion,psi_most
   for layout in $layouts; do
-    for choice in middle best; do take $choice "$layout" "$layout,$choice" V,g_psi,psi,frequency_hz,psi_cycle,hz_cycle,multiplier; done
+    for choice in middle best; do take $choice "$layout" "$layout,$choice" V,g_psi,psi,frequency_hz,psi_cycle,hz_cycle,multiplier,motion,psi_most; done
   done
   replace "$table"
   begin_table results/joints_planes.csv \

@@ -71,13 +71,13 @@ static void set_range(struct map *m, int k, int i)
     fail(name, MLG_BAD_INPUT, "%s", libmlg_lacks(m->a.par));
 }
 
-/* The cycle by integration: from that of the point before, in proportion, or from afar;
- * "": it is not periodic, or not yet. */
+/* The cycle by integration: from that of the point before, in proportion, or from afar; what
+ * it is where no periodic orbit was found. */
 static void print_by_integration(struct map *m, double guess)
 {
   const double settle = m->option[SETTLE].value;
   double start[LIBMLG_MOST_STATES] = { 0. };
-  struct libmlg_cycle c;
+  struct libmlg_cycle c = { .motion = { .kind = LIBMLG_UNDECIDED } };
   int found = -1;
 
   if (m->psi > 0. && guess > 0.) {
@@ -85,21 +85,20 @@ static void print_by_integration(struct map *m, double guess)
       start[i] = m->state[i] * fmin(guess / m->psi, 10.);
     found = libmlg_cycle(&m->run, m->a.layout, m->a.par, start, settle, &c);
   }
-  if (found != 0 || !(c.largest < 1.)) {
+  if (found != 0 && c.motion.kind != LIBMLG_QUASI_PERIODIC && c.motion.kind != LIBMLG_IRREGULAR) {
     memset(start, 0, sizeof start);
     start[PSI] = guess > 0. && isfinite(guess) ? fmin(1.2 * guess, 0.3) : 0.1;
     found = libmlg_cycle(&m->run, m->a.layout, m->a.par, start, 5. * settle, &c);
   }
-  if (found == 0) {
-    m->psi = guess;
-    memcpy(m->state, c.u, sizeof m->state);
+  m->psi = found == 0 ? guess : 0.;
+  memcpy(m->state, c.u, sizeof m->state);
+  if (found == 0)
     printf(",%.6g,%.6g,%.4g", c.psi / degree, 1. / c.period, c.largest);
-  } else { /* within the gap nothing holds it up */
-    const bool inside = fabs(m->run.u[PSI]) < 0.5 * m->a.par[NUMBER_G_PSI];
-
-    m->psi = 0.;
-    printf(",%s,,", inside || strstr(c.why, "dies out") ? "0" : "");
-  }
+  else
+    printf(",%s,,", c.motion.kind == LIBMLG_DIES_OUT ? "0" : "");
+  printf(",%s,", libmlg_motion_name(c.motion.kind));
+  if (found != 0 && c.motion.kind != LIBMLG_DIES_OUT && c.motion.watched > 0)
+    printf("%.6g", c.motion.psi_most / degree);
 }
 
 static void print_map(struct map *m, int k)
@@ -174,7 +173,7 @@ static int joints(int argc, char *argv[])
         set_range(&m, k, end ? m.range[k].n - 1 : 0);
     for (int k = 0; k < m.ranges; k++)
       printf("%.*s,", (int)strcspn(m.range[k].text, "="), m.range[k].text);
-    printf("psi,frequency_hz,threshold%s\n", option[CYCLES].value > 0. ? ",psi_cycle,hz_cycle,multiplier" : "");
+    printf("psi,frequency_hz,threshold%s\n", option[CYCLES].value > 0. ? ",psi_cycle,hz_cycle,multiplier,motion,psi_most" : "");
     print_map(&m, 0);
     libmlg_run_end(&m.run);
   }
@@ -202,6 +201,7 @@ const struct command command_joints = {
     "largest stable cycle (0: none, inf: it grows), threshold: psi of the smallest unstable\n"
     "cycle (0: none). cycles=1: beside it psi_cycle, hz_cycle and multiplier of the cycle that\n"
     "integration comes to (mlg cycle, rtol 1e-8), settle= seconds from the point before, five\n"
-    "times that from afar; 0: it dies out, within the gap at least; empty: not periodic.\n",
+    "times that from afar; 0: it dies out, within the gap at least; empty: not periodic, and\n"
+    "motion says what (mlg help cycle), psi_most the largest maximum of psi then.\n",
   .run = joints,
 };
