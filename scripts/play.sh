@@ -56,9 +56,12 @@ read -r from step weight <<< "$(mlg constants "constants/c.l1.orbit" layout="$la
       print from + 0, far < 0 ? -0.002 : 0.002, far == 0 ? 0 : 1 / far ^ 2
     }')"
 [ "$weight" != 0 ] || fail "play.sh: '$along=$to' is where the branch begins; to= says where it goes" 2
-run "$name" "$layout.orbit" dat="build/tables/$name.dat" ${constants[@]+"${constants[@]}"} \
-  ICP="['$along', 'period', 'psi_max', 'dstar_max', 'torus']" THL="{'$along': $weight, 'period': 0.0}" \
-  DS="$step" DSMAX=0.02 UZSTOP="{'$along': $to}" --
+defaults=(ICP="['$along', 'period', 'psi_max', 'dstar_max', 'torus']" THL="{'$along': $weight, 'period': 0.0}"
+  DS="$step" DSMAX=0.02 UZSTOP="{'$along': $to}")
+for word in ${constants[@]+"${constants[@]}"}; do # those that are given take their place
+  for k in "${!defaults[@]}"; do [[ ${defaults[k]} != "${word%%=*}="* ]] || unset "defaults[k]"; done
+done
+run "$name" "$layout.orbit" dat="build/tables/$name.dat" ${constants[@]+"${constants[@]}"} "${defaults[@]}" --
 mlg table "$name" > "build/tables/$name.csv"
 # its folds, and between which points a pair of multipliers leaves the unit circle (beside a fold
 # the trivial one and another look like a pair)

@@ -13,7 +13,7 @@
 
 #include "poincare.h"
 
-enum { MOST = LIBMLG_MOST_STATES, MOST_MAXIMA = 8, ROUNDS = 4 };
+enum { MOST = LIBMLG_MOST_STATES, MOST_MAXIMA = 8, ROUNDS = 6 };
 
 static const char no_maximum[] = "Newton's method leads where psi has no maximum";
 static const char singular[] = "the derivative of the Poincare map is singular";
@@ -185,6 +185,11 @@ static const char *why_not(enum libmlg_motion_kind kind)
   }
 }
 
+static int is_lasting(enum libmlg_motion_kind kind)
+{
+  return kind == LIBMLG_QUASI_PERIODIC || kind == LIBMLG_IRREGULAR;
+}
+
 /* Newton's method from where the run is, with a period of so many maxima (0: none is seen). */
 static int try_orbit(const struct poincare *m, int maxima, double before, struct libmlg_cycle *c)
 {
@@ -200,6 +205,7 @@ static int try_orbit(const struct poincare *m, int maxima, double before, struct
 /* The orbit that it settles on, watching it where need be. */
 static int settled_orbit(const struct poincare *m, double before, struct libmlg_cycle *c)
 {
+  enum libmlg_motion_kind last = LIBMLG_UNDECIDED;
   double u[MOST];
 
   for (int round = 0; round < ROUNDS; round++) {
@@ -220,11 +226,14 @@ static int settled_orbit(const struct poincare *m, double before, struct libmlg_
     libmlg_run_start(m->run, m->par, c->motion.u);
     if (c->motion.kind == LIBMLG_PERIODIC && try_orbit(m, c->motion.maxima, before, c))
       return 1; /* it stays there, whatever the differences say of its multipliers */
-    c->why = why_not(c->motion.kind);
-    if (c->motion.kind == LIBMLG_DIES_OUT || c->motion.kind == LIBMLG_QUASI_PERIODIC || c->motion.kind == LIBMLG_IRREGULAR)
-      return 0;
+    if (c->motion.kind == LIBMLG_DIES_OUT || (c->motion.kind == last && is_lasting(last)))
+      break;
+    last = c->motion.kind; /* a transient may look like a torus or irregular: so twice running */
+    if (round == ROUNDS - 1 && is_lasting(last))
+      c->motion.kind = LIBMLG_UNDECIDED;
     libmlg_run_start(m->run, m->par, c->motion.u);
   }
+  c->why = why_not(c->motion.kind);
   return 0;
 }
 

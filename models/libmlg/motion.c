@@ -26,7 +26,7 @@ struct watch {
   double u[WATCHED][LIBMLG_MOST_STATES], size[WATCHED];
   double growth, grown; /* ln of the growth of the neighbour's distance, and over how many s */
   double time;
-  long corners;
+  long corners; /* of laws, in the second half */
 };
 
 /* The neighbour's distance, brought back to eps from u in the direction of its image. */
@@ -51,7 +51,7 @@ static int take_watch(const struct poincare *m, struct watch *w)
   for (int k = 0; k < WATCHED; k++) {
     if (!poincare_image(m, neighbour, 1, image, &passed) || !poincare_image(m, u, 1, u, &time))
       return 0;
-    w->corners += m->run->corners;
+    w->corners += k >= WATCHED / 2 ? m->run->corners : 0;
     w->time += time;
     memcpy(w->u[k], u, sizeof u);
     w->size[k] = poincare_size(m, u);
@@ -153,8 +153,10 @@ static enum libmlg_motion_kind kind_of(const struct poincare *m, const struct wa
   const double range = range_of(w, 3 * WATCHED / 4, WATCHED, &least, &most);
 
   sizes(w, size);
-  if (m->gap > 0. && w->corners == 0 && size[1] < size[0]) /* within the gap for good */
+  if (m->gap > 0. && w->corners == 0 && most < m->gap && size[1] < 1.05 * size[0]) /* within the gap for good */
     return LIBMLG_DIES_OUT;
+  if (size[1] < 0.5 * size[0])
+    return LIBMLG_SETTLING;
   if (growth > 5.)
     return LIBMLG_IRREGULAR;
   if (growth < -5. || range < 0.8 * before || range > 1.25 * before)

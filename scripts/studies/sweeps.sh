@@ -42,9 +42,10 @@ tables() {
 
   begin_table results/sweeps_play.csv \
     "# Shimmy that play keeps alive, layout L1 at V = 20 m/s and c_d = 2886.7 N m s/rad (constants/sweeps/play.sweep). g_psi rad:" \
-    "# half-width of the play of the torque links; T_f N m: friction of the damper; psi_max deg, dstar_max m, frequency_hz of the" \
-    "# periodic orbit that a start of 0.05 rad leads to; maxima of psi in a period; multiplier: the largest but the trivial one." \
-    g_psi,T_f,psi_max,dstar_max,frequency_hz,maxima,multiplier
+    "# half-width of the play of the torque links; T_f N m: friction of the damper; psi_max deg, dstar_max m, frequency_hz of AUTO's" \
+    "# branch in T_f (corner 0.005, 150 intervals; 1e-4 and better beside mlg cycle) from the periodic orbit that a start of 0.05 rad" \
+    "# leads to at T_f = 0; stable: 1, 0; type: EP that orbit, UZ asked for, LP a fold." \
+    g_psi,T_f,psi_max,dstar_max,frequency_hz,stable,type
   answers play | sed 1d | cut -d , -f 2- >> "$table.new"
   end_table
 

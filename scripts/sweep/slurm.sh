@@ -61,7 +61,7 @@ slurm_status() {
   local states
   [ -n "$(job)" ] && has_slurm || return 0
   states=$(squeue --noheader --array --jobs="$(job)" --format=%T 2> /dev/null) || true
-  [ -n "$states" ] || states=$(sacct --noheader --allocations --jobs="$(job)" --format=State 2> /dev/null) || true
+  [ -n "$states" ] || states=$(sacct --noheader --allocations --parsable2 --jobs="$(job)" --format=State 2> /dev/null) || true
   if [ -n "$states" ]; then
     sort <<< "$states" | uniq -c | awk -v job="$(job)" '{ printf "  job %s: %d tasks %s\n", job, $1, tolower($2) }'
   else

@@ -195,6 +195,12 @@ static int take_orbit(struct request *r)
     return refuse("%s: both from=%s and dat: a run starts from one of them", r->name, r->from);
   }
   r->start = realpath(file, NULL);
+  if (!r->start && !strchr(file, '/')) { /* or among the runs */
+    char *among = joined(runs_folder(), "/", file, "");
+
+    r->start = realpath(among, NULL);
+    free(among);
+  }
   if (!r->start || !is_file(r->start)) {
     refuse("%s: no orbit to start from, dat = '%s' (mlg cycle LAYOUT orbit makes one)", r->name, file);
     free(file);
@@ -306,7 +312,7 @@ const struct command command_run = {
   "CONSTANTS: l1.straight is constants/c.l1.straight or build/constants/c.l1.straight;\n"
   "anything with a / is a path.  The first part of its name after c. is the layout.\n"
   "from=RUN starts from that run's solutions, IRS says from which; dat=FILE from an orbit\n"
-  "(mlg cycle LAYOUT orbit); model=MODEL runs\n"
+  "(mlg cycle LAYOUT orbit), also one that lies beside the runs; model=MODEL runs\n"
   "build/models/MODEL.exe; gear=FILE and KEY=VALUE as for mlg constants.\n"
   "TYPE=COUNT: the run fails unless it has so many points of that type (mlg judge).\n"
   "Prints a line with the time taken and the points found when it made the run, nothing\n"

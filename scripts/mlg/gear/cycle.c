@@ -148,7 +148,7 @@ const struct command command_cycle = {
     "corners of play, orifice and relief valve located on the way, and finds the periodic\n"
     "orbit by Newton's method on the Poincare map of the maxima of psi.  Where that orbit is\n"
     "unstable, or none is seen, the run is watched for 400 maxima and, while it still settles,\n"
-    "three times again.  settle=0 begins at once, which finds unstable orbits beside the start\n"
+    "five times again.  settle=0 begins at once, which finds unstable orbits beside the start\n"
     "too.  rtol: of a step (1e-10).  steps=2e7 of the integration are taken at most.\n"
     "\n"
     "Prints CSV: period, frequency_hz, psi_max (deg) and dstar_max (m), the largest of\n"

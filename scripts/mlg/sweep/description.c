@@ -75,10 +75,10 @@ static long long whole(const struct sweep *sweep, const char *value, double most
   return (long long)x;
 }
 
-enum setting { GEAR, CASES, SAMPLE, TIME, MEMORY, BLOCK, FILES, DO, ASK, KEEP, NAMES, ROWS, SETTINGS };
+enum setting { GEAR, CASES, SAMPLE, TIME, MEMORY, BLOCK, FILES, DO, ASK, KEEP, NAMES, ROWS, INTO, SETTINGS };
 
 static const char *const setting_name[SETTINGS] = { "gear", "cases", "sample", "time",  "memory", "block",
-                                                    "files", "do",   "ask",    "keep", "names",  "rows" };
+                                                    "files", "do",   "ask",    "keep", "names",  "rows", "into" };
 
 static enum setting setting_of(const char *key)
 {
@@ -110,6 +110,7 @@ static void take_setting(struct sweep *s, enum setting setting, const char *valu
   case KEEP: add_keep(s, value, line); break;
   case NAMES: add_names(s, value, line); break;
   case ROWS: add_rows(s, value, line); break;
+  case INTO: add_into(s, value, line); break;
   case SETTINGS: break;
   }
 }

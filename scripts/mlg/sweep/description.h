@@ -51,7 +51,9 @@ struct step {
   char *name[MOST_COLUMNS]; /* of the cells, where the command prints none */
   int names;
   enum rows_kind rows;
+  bool has_rows; /* whether a line says so */
   char *rows_column;
+  char *into;               /* the file, among the runs of the case, that its output goes into too; NULL: none */
   bool takes[MOST_AXES]; /* which axes its {parameters} stand for */
 };
 
@@ -107,11 +109,13 @@ bool is_parameter(const char *name);
 
 /* --- words.c -------------------------------------------------------------------------- */
 
-/* A line do = WORDS or ask = WORDS; then keep, names and rows of the last ask. */
+/* A line do = WORDS or ask = WORDS; then keep, names and rows of the last ask, or into of
+ * either. */
 void add_step(struct sweep *sweep, bool asks, const char *words, int line);
 void add_keep(struct sweep *sweep, const char *columns, int line);
 void add_names(struct sweep *sweep, const char *names, int line);
 void add_rows(struct sweep *sweep, const char *rows, int line);
+void add_into(struct sweep *sweep, const char *file, int line);
 
 /* Every {NAME} is known, every axis is used, every question keeps something. */
 void settle_steps(struct sweep *sweep);

@@ -16,6 +16,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -44,7 +45,7 @@ bool begin_evaluator(struct evaluator *e, const struct sweep *sweep, const char 
   text_clear(&e->answer.text);
   text_clear(&e->why);
   for (int i = 0; i < sweep->steps; i++)
-    e->makes_runs = e->makes_runs || !sweep->step[i].again;
+    e->makes_runs = e->makes_runs || !sweep->step[i].again || sweep->step[i].into;
   bound(RLIMIT_CORE, 0);
   if (sweep->memory_limit)
     bound(RLIMIT_AS, (rlim_t)sweep->memory_limit << 20);
@@ -118,6 +119,30 @@ static int call_apart(struct evaluator *e, const struct step *step, int argc)
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
+/* What a command printed, as a file beside the runs of the case, where run's dat= finds it. */
+static int put_into(struct evaluator *e, const char *name, size_t length)
+{
+  const char *const folder = getenv("MLG_RUNS");
+  struct text path = TEXT_NONE;
+  FILE *file;
+  int status = MLG_FAILED;
+
+  for (const char *t = folder; t && *t; t += strcspn(t, "/"), t += strspn(t, "/")) { /* each folder above it */
+    text_clear(&path);
+    text_append(&path, folder, (size_t)(t - folder) + strcspn(t, "/"));
+    mkdir(path.at, 0777);
+  }
+  text_add(&path, "/%s", name);
+  if ((file = fopen(path.at, "w")) != NULL) {
+    status = fwrite(e->printed, 1, length, file) == length ? MLG_OK : MLG_FAILED;
+    status = fclose(file) == 0 ? status : MLG_FAILED;
+  }
+  if (status != MLG_OK)
+    dprintf(2, "%s: %s\n", path.at, strerror(errno));
+  text_free(&path);
+  return status;
+}
+
 /* Returns the status of the first command that fails. */
 static int take_steps(struct evaluator *e, long long n)
 {
@@ -129,11 +154,12 @@ static int take_steps(struct evaluator *e, long long n)
     atomic_store(e->step, i + 1);
     fseeko(e->output, 0, SEEK_SET);
     status = step->again ? call(e, step, argc) : call_apart(e, step, argc);
+    if (status == 0 && fflush(e->output) == 0 && step->into)
+      status = put_into(e, step->into, (size_t)ftello(e->output));
     if (status != 0) {
       first_complaint(e->complaints, &e->why);
       return status;
     }
-    fflush(e->output);
     const off_t length = ftello(e->output);
 
     e->printed[length] = '\0';

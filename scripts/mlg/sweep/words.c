@@ -111,7 +111,8 @@ void add_keep(struct sweep *s, const char *columns, int line)
       *as = '\0', as += strlen(" as "), as += strspn(as, " ");
     else
       as = item;
-    item[strcspn(item, " ")] = '\0';
+    if (as != item)
+      item[strcspn(item, " ")] = '\0';
     if (!*item || !*as || strchr(as, ' '))
       slip(s, line, item, "expected COLUMN, or COLUMN as NAME");
     if (is_kept(s, as) || find_axis(s, as, strlen(as)) >= 0 || strcmp(as, "case") == 0)
@@ -129,6 +130,9 @@ void add_names(struct sweep *s, const char *names, int line)
   for (char *item; (item = next_item(&names)) != NULL;) {
     if (step->names == MOST_COLUMNS || !*item)
       slip(s, line, item, "expected at most %d names with commas between them", MOST_COLUMNS);
+    for (int i = 0; i < step->names; i++)
+      if (strcmp(step->name[i], item) == 0)
+        slip(s, line, item, "stands twice among the names");
     step->name[step->names++] = item;
   }
 }
@@ -138,6 +142,9 @@ void add_rows(struct sweep *s, const char *rows, int line)
   static const char *const kind[] = { [ROWS_ALL] = "all", "first", "last", "largest ", "least " };
   struct step *step = last_question(s, rows, line);
 
+  if (step->has_rows)
+    slip(s, line, rows, "this question has a line rows already");
+  step->has_rows = true;
   for (int k = ROWS_ALL; k <= ROWS_LEAST; k++) {
     const size_t length = strlen(kind[k]);
 
@@ -148,6 +155,19 @@ void add_rows(struct sweep *s, const char *rows, int line)
     }
   }
   slip(s, line, rows, "expected all, first, last, largest COLUMN or least COLUMN");
+}
+
+void add_into(struct sweep *s, const char *file, int line)
+{
+  struct step *step = s->steps > 0 ? &s->step[s->steps - 1] : NULL;
+
+  if (!step)
+    slip(s, line, file, "has to follow the line do = ... or ask = ... that it belongs to");
+  if (step->into)
+    slip(s, line, file, "this command has a line into already");
+  if (!isalnum((unsigned char)*file) || file[strspn(file, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-")])
+    slip(s, line, file, "expected the name of a file: letters, digits, . _ and -, a letter or a digit first");
+  step->into = strdup(file);
 }
 
 /* Whether a step has this {NAME}. */
@@ -208,7 +228,13 @@ void settle_steps(struct sweep *s)
   for (int i = 0; i < s->axes; i++)
     check_used(s, &s->axis[i]);
   if (s->gear) {
+    struct text text = TEXT_NONE, why = TEXT_NONE;
     bool used = false;
+
+    if (read_file(s->gear, &text, &why) != 0)
+      slip(s, 0, NULL, "gear = %s", why.at);
+    text_free(&text);
+    text_free(&why);
 
     for (int i = 0; i < s->steps; i++)
       used = used || has(&s->step[i], "parameters");
