@@ -57,7 +57,7 @@ read -r from step weight <<< "$(mlg constants "constants/c.l1.orbit" layout="$la
     }')"
 [ "$weight" != 0 ] || fail "play.sh: '$along=$to' is where the branch begins; to= says where it goes" 2
 defaults=(ICP="['$along', 'period', 'psi_max', 'dstar_max', 'torus']" THL="{'$along': $weight, 'period': 0.0}"
-  DS="$step" DSMAX=0.02 UZSTOP="{'$along': $to}")
+  DS="$step" DSMAX=0.02 NPR=1 UZSTOP="{'$along': $to}")
 for word in ${constants[@]+"${constants[@]}"}; do # those that are given take their place
   for k in "${!defaults[@]}"; do [[ ${defaults[k]} != "${word%%=*}="* ]] || unset "defaults[k]"; done
 done
@@ -72,4 +72,10 @@ awk -F, -v along="$along" '
   $3 == "LP" { printf "  fold at %s = %.7g\n", along, x; torus = -1 }
   rows++ && torus * last < 0 && torus > -0.1 && last > -0.1 { printf "  torus point between %s = %.6g and %.6g\n", along, before, x }
   { before = x; last = torus }' "build/tables/$name.csv"
+# where a cycle just touches an end of the gap: between solutions that pass its ends so many times
+last=$(awk -F, '$2 > 0 { label = $2 } END { print label + 0 }' "build/tables/$name.csv")
+mlg grazing "$name" "$along" | awk -F, -v along="$along" -v last="$last" '
+  /^#/ || !names++ || $1 > last { next }
+  rows++ && $3 != passages { printf "  grazing between %s = %.6g and %.6g: %d passages of the ends of the gap become %d\n", along, before, $2, passages, $3 }
+  { before = $2; passages = $3 }'
 echo "  $along from $from: build/tables/$name.csv"

@@ -189,6 +189,22 @@ int libmlg_torque(int layout, const double par[], const double u[], double *T_d)
   return 0;
 }
 
+int libmlg_gap(int layout, const double par[], const double u[], double *x, double *g)
+{
+  const struct libmlg_layout *l = libmlg_find(layout);
+  double slots[MLG_SLOTS], at[MLG_MOST_CORNERS];
+
+  if (!l)
+    return LIBMLG_NONE;
+  libmlg_slots(par, slots);
+  slots[PAR_CORNER] = 0.; /* its sharp ends, x - g and x + g, come first of all corners */
+  if (!(slots[PAR_G_PSI] > 0. || slots[PAR_G_S] > 0.) || l->corners(l, slots, u, at) < 2)
+    return LIBMLG_FAILED;
+  *x = 0.5 * (at[0] + at[1]);
+  *g = 0.5 * (at[1] - at[0]);
+  return 0;
+}
+
 /* Whether the rates at some state move with the parameter, of a device that has all. */
 int libmlg_uses(int layout, int parameter)
 {

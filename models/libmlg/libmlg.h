@@ -105,6 +105,11 @@ int libmlg_jacobian(int layout, const double par[], const double u[], double dfd
  * Returns as libmlg_rhs. */
 int libmlg_torque(int layout, const double par[], const double u[], double *T_d);
 
+/* The twist *x, rad, that the gap of the torque links has at the states u[] (with the one of
+ * k_s, where nothing stands between them), and its half-width *g: a sharp one ends at +-*g.
+ * Returns as libmlg_rhs, and LIBMLG_FAILED: it has no gap. */
+int libmlg_gap(int layout, const double par[], const double u[], double *x, double *g);
+
 /* --- straight rolling, linearised (LAPACK) ---------------------------------------------
  *
  * Here and wherever straight rolling is looked at, orifice, relief valve and cubic

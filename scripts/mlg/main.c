@@ -58,6 +58,7 @@
   X(crossing)       /* auto/along.c */ \
   X(peak)           /* auto/along.c */ \
   X(orbit)          /* auto/orbit.c */ \
+  X(grazing)        /* auto/grazing.c */ \
   X(curve)          /* auto/hopfcurve.c */ \
   X(widths)         /* auto/widths.c */ \
   X(starts)         /* auto/starts.c */ \
