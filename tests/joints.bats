@@ -104,6 +104,20 @@ designs() { # the paper's, each in the middle of its interval
   [ "$output" = "$(mlg intervals l1)" ]
 }
 
+@test "no Hopf point of a straight run is stepped over, with friction, rounded play or an orifice either" {
+  local gear="c_d=36557.98632 e=0.1377492718 l=0.2077959175 k_psi=310919.8512 M=24452.48573" c_psi
+  # two points within a step, of which AUTO would label one
+  # shellcheck disable=SC2086 # words
+  auto_run rubs l1.straight $gear T_psi=0.01 v_f=0.05 DSMAX=0.2 UZSTOP="{'V': 60.0}" | grep 'that AUTO had stepped over'
+  c_psi=300.2
+  # shellcheck disable=SC2086
+  near_each 1e-6 "the point" < <(paste -d ' ' <(values rubs HB V) <(mlg hopf l1 $gear c_psi=$c_psi V_top=60 | sed 1,2d | cut -d , -f 2))
+  [ "$(values rubs HB V | wc -l)" -eq 3 ]
+  auto_run rounded l1.straight c_d=3e4 k_psi=555744 g_psi=0.002 corner=3 c_2=100 DSMAX=0.5 UZSTOP="{'V': 100.0}" >/dev/null
+  near_each 1e-6 "the point" < <(paste -d ' ' <(values rounded HB V) \
+    <(mlg hopf l1 c_d=3e4 k_psi="$(awk 'BEGIN { printf "%.12g", 555744 * (1 - 1 / sqrt(10)) }')" V_top=100 | sed 1,2d | cut -d , -f 2))
+}
+
 @test "every law can be given and continued by its name, in every layout" {
   local design layout law value lasting
   while read -r design; do

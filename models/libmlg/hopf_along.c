@@ -3,7 +3,9 @@
  * Along V and c_d they are the roots of one polynomial (crossing.h).  Along another parameter
  * they are looked for between two values at which the complex eigenvalues are known: where
  * these agree in number, and no real part changes by half of its distance to 0, nothing
- * happens between them; else in halves.
+ * happens between them; else in halves.  So they are where a law of joints or damper is on,
+ * along any parameter: its slope at rest, rounded or within a gap, is differenced, and good
+ * to 1e-7.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -16,10 +18,20 @@ enum { MOST = LIBMLG_MOST_STATES, NODES = 200 };
 struct node { double x, re[MOST], im[MOST]; int pairs, growing; };
 
 struct search {
-  int layout, parameter, n, most;
+  int layout, parameter, n, most, laws;
   double par[LIBMLG_MOST_PARAMETERS], tolerance;
   double *at;
 };
+
+/* With the laws as they are at rest, which libmlg_eigenvalues() leaves out. */
+static int spectrum_with_laws(const struct search *s, double re[], double im[], int *n)
+{
+  double slots[MLG_SLOTS];
+
+  libmlg_slots(s->par, slots);
+  *n = libmlg_spectrum(libmlg_find(s->layout), slots, re, im);
+  return *n < 0 ? *n : 0;
+}
 
 static int look(struct search *s, double x, struct node *node)
 {
@@ -27,7 +39,7 @@ static int look(struct search *s, double x, struct node *node)
   int n, status;
 
   s->par[s->parameter] = x;
-  status = libmlg_eigenvalues(s->layout, s->par, re, im, &n);
+  status = s->laws ? spectrum_with_laws(s, re, im, &n) : libmlg_eigenvalues(s->layout, s->par, re, im, &n);
   *node = (struct node){ .x = x };
   for (int i = 0; i < n && status == 0; i++) {
     int k = node->pairs;
@@ -53,6 +65,17 @@ static int nothing_between(const struct node *a, const struct node *b)
   return 1;
 }
 
+/* A law that sets in at once, as a gap does at g_psi = 0, lets real parts jump over 0: how many
+ * pairs are on the axis indeed. */
+static int on_axis(const struct node *node)
+{
+  int n = 0;
+
+  for (int i = 0; i < node->pairs; i++)
+    n += fabs(node->re[i]) < 1e-5 * node->im[i];
+  return n;
+}
+
 static int between(struct search *s, const struct node *a, const struct node *b)
 {
   struct node middle;
@@ -62,7 +85,9 @@ static int between(struct search *s, const struct node *a, const struct node *b)
     return 0;
   if (fabs(b->x - a->x) <= s->tolerance) {
     /* where their number changes a pair meets on the real axis, or leaves it: no Hopf point */
-    for (int k = a->pairs == b->pairs ? abs(b->growing - a->growing) : 0; k > 0; k--, s->n++)
+    const int changes = a->pairs == b->pairs ? abs(b->growing - a->growing) : 0;
+
+    for (int k = s->laws && on_axis(a) < changes ? 0 : changes; k > 0; k--, s->n++)
       if (s->n < s->most)
         s->at[s->n] = 0.5 * (a->x + b->x);
     return 0;
@@ -90,6 +115,17 @@ static int along_axis(const double par[], int layout, int along_V, double lo, do
   return n < 0 ? n : kept;
 }
 
+/* Whether the parameter switches a law on. */
+static int parameter_is_law(int parameter)
+{
+  double par[LIBMLG_MOST_PARAMETERS], slots[MLG_SLOTS];
+
+  libmlg_defaults(par);
+  par[parameter] = 0.5 * libmlg_most(parameter);
+  libmlg_slots(par, slots);
+  return mlg_has_laws(slots);
+}
+
 int libmlg_hopf_along(int layout, const double par[], int parameter, double from, double to, double at[], int most)
 {
   struct search s = { .layout = layout, .parameter = parameter, .most = most, .at = at };
@@ -104,18 +140,17 @@ int libmlg_hopf_along(int layout, const double par[], int parameter, double from
   if (!(lo < hi))
     return 0;
   libmlg_slots(par, slots);
-  if (mlg_has_laws(slots))
-    return LIBMLG_NONE;
-  if (parameter == libmlg_parameter("V") && lo >= 0.)
+  s.laws = mlg_has_laws(slots) || parameter_is_law(parameter);
+  if (!s.laws && parameter == libmlg_parameter("V") && lo >= 0.)
     return along_axis(par, layout, 1, lo, hi, at, most);
-  if (parameter == libmlg_parameter("c_d") && lo >= 0.)
+  if (!s.laws && parameter == libmlg_parameter("c_d") && lo >= 0.)
     return along_axis(par, layout, 0, lo, hi, at, most);
   memcpy(s.par, par, (size_t)libmlg_parameters() * sizeof *par);
   status = look(&s, lo, &a);
   for (int i = 1; i <= NODES && status == 0; i++) {
     const double t = (double)i / NODES, x = i == NODES ? hi : in_ratio ? lo * pow(hi / lo, t) : lo + t * (hi - lo);
 
-    s.tolerance = 1e-11 * fmax(fabs(x), x - a.x);
+    s.tolerance = (s.laws ? 1e-8 : 1e-11) * fmax(fabs(x), x - a.x);
     status = look(&s, x, &b);
     if (status == 0)
       status = between(&s, &a, &b);

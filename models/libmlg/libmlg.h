@@ -343,8 +343,10 @@ int libmlg_hopf_at_V(int layout, const double par[], double zeta, struct libmlg_
 /* All values of one parameter between `from` and `to` at which straight rolling has a Hopf point,
  * the others as in par[], rising, the first `most` of them into at[].  Complete along V and c_d;
  * along others looked for by bisection between 200 values, to 1e-11: two within a 200th of the
- * range that no eigenvalue at its ends announces are not seen.  Returns their number,
- * LIBMLG_NONE also for a gear with laws (models/elements.h), or as libmlg_eigenvalues. */
+ * range that no eigenvalue at its ends announces are not seen.  So it is with laws
+ * (models/elements.h), to 1e-7; here, unlike elsewhere, play and friction are what they are at
+ * rest: no stiffness within a sharp gap, some within a rounded one, damping T / v_f.  Returns
+ * their number, or as libmlg_eigenvalues. */
 int libmlg_hopf_along(int layout, const double par[], int parameter, double from, double to, double at[], int most);
 
 /* All boundary points, by rising c_d: the extrema of c_d along the Hopf curves and the
