@@ -9,6 +9,7 @@ int poincare_begin(struct poincare *m, struct libmlg_run *run, int layout, const
   *m = (struct poincare){ .run = run, .par = par, .n = libmlg_states(layout) };
   m->gap = par[libmlg_parameter("corner")] > 0. ? 0. : par[libmlg_parameter("g_psi")];
   m->difference = fmax(1e-5, sqrt(libmlg_run_tolerance(run)));
+  m->difference_2 = 0.5 * cbrt(libmlg_run_tolerance(run));
   for (int i = 0; i < m->n; i++)
     m->size[i] = libmlg_state_size(layout, i);
   return m->n < 0 ? LIBMLG_NONE : 0;

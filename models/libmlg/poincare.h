@@ -14,7 +14,7 @@ struct poincare {
   int n; /* states */
   double size[LIBMLG_MOST_STATES];
   double gap;        /* half-width of the sharp play of the torque links, rad, or 0 */
-  double difference; /* of states, relative, for the derivative of the map */
+  double difference, difference_2; /* of states, relative, to one and to both sides, for its derivative */
 };
 
 /* Of a run that has begun; LIBMLG_NONE: no such layout. */
