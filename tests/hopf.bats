@@ -88,9 +88,14 @@ END
   done
 }
 
-@test "a run with friction is left to AUTO: the library has the gear without" {
+@test "a run with friction has the points of the damper that friction is at rest" {
   auto_run own.friction l1.straight T_psi=50 v_f=0.5 -- HB=4 > /dev/null
-  near "$(value own.friction HB V)" 19.632235 1e-6
+  near_each 1e-6 V < <(paste -d ' ' <(values own.friction HB V) <(mlg hopf l1 c_d=3.6e4 c_psi=400 | sed 1,2d | cut -d , -f 2))
+}
+
+@test "a point beside which another pair is nearer to the axis, where AUTO looks at that alone" {
+  auto_run near l2.straight k_s=7.86e5 c_d=2e4 DSMAX=1 -- HB=2 | grep 'stepped over'
+  near "$(values near HB V | tail -n 1)" 38.54453075 1e-7
 }
 
 @test "AUTO alone misses them, which mlg judge says; with UZR on the test functions it finds them" {

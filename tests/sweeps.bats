@@ -321,6 +321,12 @@ END
   [[ $output = *"  case 72:"* && $output = *"mlg damping l1 k_d=2e5 c_psi=250 e=0.2 V=100 l="* ]]
   scripts/sweep.sh run build/axes.sweep jobs=1 > /dev/null
   [ "$(rows axes | sed 1d | cut -d , -f 2-5 | sort -u | wc -l)" -eq 18 ]
+  # a table beside the description, with a column that names its cases
+  mkdir -p build/tyres
+  printf 'tyre,l\nnew,0.3\nworn,0.26\n' > build/tyres/tyres.csv
+  printf 'cases = tyres.csv\nask = intervals l1 {parameters}\nkeep = c_lo\nrows = largest width\n' > build/tyres/two.sweep
+  scripts/sweep.sh run build/tyres/two.sweep jobs=1 > /dev/null
+  [ "$(rows two | sed -n 2p | cut -d , -f 1-3)" = 1,new,0.3 ]
   # a sample is spread: of 1000 points between 49 and 51 in each 20th
   sed -e 's/sample = 4/sample = 1000/' build/axes.sweep > build/spread.sweep
   mkdir -p build/spread
@@ -338,6 +344,7 @@ END
 e = 0.1, 0.2
 ask = intervals {layout} {parameters}
 keep = c_lo'
+  printf 'tyre,l\n1,0.3\n2,0.31\n' > build/numbers.csv
   while IFS='|' read -r slip right; do
     n=$((n + 1))
     printf '%b\n' "${slip//GOOD/$good}" > build/slip.sweep
@@ -447,6 +454,7 @@ END
   [ "$(rows mine | wc -l)" -eq 55 ]
   [ "$(rows mine | sed 1d | grep -vc ',,')" -gt 20 ]
   [ "$(rows chain | wc -l)" -eq 9 ]
+  [ "$(rows worn | sed 1d | wc -l)" -eq 6 ] && rows worn | sed 1d | grep -q ,periodic,
   near "$(rows chain | sed -n '$p' | cut -d , -f 4)" "$(mlg hopf l1 c_d=3e4 e=0.14 | sed -n 3p | cut -d , -f 2)" 1e-6 "the Hopf point of the last case"
 }
 

@@ -216,8 +216,9 @@ static void insert_point_list(const struct text *constants, const char *name, co
 }
 
 /* The constants with a point asked for, UZR, on either side of each Hopf point, at that part of
- * the way to the next one, so that each lies in a step of its own; and a first step so small that
- * none is in the first two, in which AUTO looks for nothing. */
+ * the way to the next one, or of a hundredth of its value: so that each lies in a step of its
+ * own, and so near that the pair on the axis is the nearest to it, for AUTO looks at no other;
+ * and a first step so small that none is in the first two, in which AUTO looks for nothing. */
 static void ask_beside(const struct text *constants, const struct judgement *judgement, double part, struct text *out)
 {
   struct text values = TEXT_NONE, shorter = TEXT_NONE;
@@ -226,7 +227,7 @@ static void ask_beside(const struct text *constants, const struct judgement *jud
 
   for (int i = 0; i < judgement->hopf_points; i++) {
     const struct hopf_point *p = &judgement->hopf[i];
-    const double beside = fmin(part * p->gap, 1e-3 * fabs(p->at));
+    const double beside = part * fmin(p->gap, 1e-2 * fabs(p->at));
 
     text_add(&values, "%s%.15g, %.15g", i ? ", " : "", p->at - beside, p->at + beside);
     nearest = fmin(nearest, fabs(p->at - judgement->start));

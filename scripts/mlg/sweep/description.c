@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "arguments.h"
 #include "text.h"
@@ -88,13 +89,29 @@ static enum setting setting_of(const char *key)
   return SETTINGS;
 }
 
+/* A file by its name from the checkout, or else beside the description. */
+static char *file_of(const struct sweep *s, const char *value)
+{
+  const char *slash = strrchr(s->file, '/');
+  struct text beside = TEXT_NONE;
+
+  if (*value != '/' && slash && access(value, F_OK) != 0) {
+    text_append(&beside, s->file, (size_t)(slash + 1 - s->file));
+    text_add(&beside, "%s", value);
+    if (access(beside.at, F_OK) == 0)
+      return beside.at;
+  }
+  text_free(&beside);
+  return strdup(value);
+}
+
 static void take_setting(struct sweep *s, enum setting setting, const char *value, int line)
 {
   switch (setting) {
-  case GEAR: s->gear = strdup(value); break;
+  case GEAR: s->gear = file_of(s, value); break;
   case CASES:
-    s->table = strdup(value);
-    add_table(s, value, line);
+    s->table = file_of(s, value);
+    add_table(s, s->table, line);
     break;
   case SAMPLE: s->sample = whole(s, value, 1e12, line); break;
   case TIME: s->time_limit = quantity(s, value, "s", 0.01, 1e6, line); break;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "arguments.h"
 #include "description.h"
 #include "text.h"
 
@@ -201,14 +202,30 @@ static void check_placeholders(const struct sweep *s, const struct step *step)
     }
 }
 
+/* A column of a table of cases that holds words, not numbers only: it names the cases. */
+static bool is_label(const struct sweep *s, const struct axis *a)
+{
+  double x;
+
+  if (a->dimension != s->table_dimension || is_parameter(a->name))
+    return false;
+  for (long long i = 0; i < s->count[a->dimension]; i++)
+    if (!is_number(a->text[i], &x))
+      return true;
+  return false;
+}
+
 static void check_used(const struct sweep *s, const struct axis *a)
 {
+  if (is_label(s, a))
+    return;
   for (int i = 0; i < s->steps; i++)
     if (has(&s->step[i], a->name) || (is_parameter(a->name) && has(&s->step[i], "parameters")))
       return;
   if (is_parameter(a->name))
     slip(s, a->line, a->name, "no command uses it: put {parameters} or {%s} among its words", a->name);
-  slip(s, a->line, a->name, "no parameter of models/mlg.h, and no command has {%s} among its words", a->name);
+  slip(s, a->line, a->name, "no parameter of models/mlg.h, and no command has {%s} among its words%s", a->name,
+       a->dimension == s->table_dimension ? "; a column that names cases holds words, not numbers only" : "");
 }
 
 void settle_steps(struct sweep *s)
