@@ -132,7 +132,8 @@ build/libmlg/layouts.h: always
 	@mkdir -p $(@D)
 	@printf 'L(%s)\n' $(layouts) > $@.$$$$ && if cmp -s $@.$$$$ $@; then rm $@.$$$$; else mv $@.$$$$ $@; fi
 
-$(library_parts): build/libmlg/%.o: models/libmlg/%.c build/libmlg/layouts.h Makefile
+# those that include layouts.h say so in their .d; a new layout makes none of the others anew
+$(library_parts): build/libmlg/%.o: models/libmlg/%.c Makefile | build/libmlg/layouts.h
 	@$(call compiled,$(library_cc) $<)
 
 $(library_layouts): build/libmlg/layout-%.o: models/libmlg/layout.c models/%.c Makefile
@@ -154,7 +155,7 @@ mlg_includes = -Imodels -Imodels/libmlg -Ibuild/libmlg -Iscripts/mlg -Iscripts/m
 # the work is in the library: the commands around it are compiled quickly
 mlg_cc = $(CC) $(CFLAGS) -O1 $(mlg_includes) -c
 
-$(mlg_parts): build/mlg/%.o: scripts/mlg/%.c build/libmlg/layouts.h Makefile
+$(mlg_parts): build/mlg/%.o: scripts/mlg/%.c Makefile | build/libmlg/layouts.h
 	@mkdir -p $(@D)
 	@$(call compiled,$(mlg_cc) $<)
 
@@ -330,7 +331,7 @@ mlg_constants = $(patsubst %,scripts/mlg/auto/%.c,text autonumber constants conc
 build/tests/constants: with = $(mlg_constants) build/tests/libmlg.a
 build/tests/constants: $(mlg_constants) scripts/mlg/auto/conparse.c scripts/mlg/gear/gearfile.c $(wildcard scripts/mlg/*/*.h) build/tests/libmlg.a
 
-$(filter-out build/tests/libmlg/layout-%,$(checked_library)): build/tests/libmlg/%.o: models/libmlg/%.c build/libmlg/layouts.h Makefile
+$(filter-out build/tests/libmlg/layout-%,$(checked_library)): build/tests/libmlg/%.o: models/libmlg/%.c Makefile | build/libmlg/layouts.h
 	@mkdir -p $(@D)
 	@$(call compiled,$(checked_cc) $<)
 

@@ -1,4 +1,4 @@
-/* l2.c - layout L2: spring-damper (paper Section 3.2, Fig. 8(b))
+/* l2.c - layout L2: the shimmy damper with a spring in series (paper Section 3.2, Fig. 8(b))
  *
  *              k_psi       k_s        +--[ k_d ]--+
  *   wheels ---/\/\/\/---/\/\/\/---o---+           +---- strut

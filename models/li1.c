@@ -1,4 +1,4 @@
-/* li1.c - layout LI1: TVMD type (paper Section 4.1, Fig. 11(a))
+/* li1.c - layout LI1: L2 with an inerter beside the damper, TVMD type (paper Section 4.1, Fig. 11(a))
  *
  *                                     +--[ k_d ]--+
  *              k_psi       k_s        |           |

@@ -1,4 +1,4 @@
-/* li2.c - layout LI2: TID type (paper Section 4.1, Fig. 11(b))
+/* li2.c - layout LI2: L2 with an inerter beside the spring, TID type (paper Section 4.1, Fig. 11(b))
  *
  *              k_psi        +--[ k_s ]--+       +--[ k_d ]--+
  *   wheels ---/\/\/\/---o---+           +---o---+           +---- strut

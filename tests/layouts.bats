@@ -13,6 +13,8 @@ setup_file() {
   scratch layouts
   cp -rp "$ROOT"/{docs,tests} .
   objects
+  mkdir -p build/tests
+  cp -rp "$ROOT"/build/tests/libmlg{,.a} build/tests
 }
 
 setup() {

@@ -43,8 +43,8 @@ END
 }
 
 @test "a mirrored disturbance leaves peaks and settling times as they are" {
-  build/bin/mlg transients li1 c_d=1e4 k_s=6.38e5 b=140 V=30 > plus
-  build/bin/mlg transients li1 c_d=1e4 k_s=6.38e5 b=140 V=30 dpsi=-1 ddelta=-0.45 > minus
+  build/bin/mlg transients li1 c_d=1e4 k_s=6.38e5 b=140 V=30 t_end=20 > plus
+  build/bin/mlg transients li1 c_d=1e4 k_s=6.38e5 b=140 V=30 t_end=20 dpsi=-1 ddelta=-0.45 > minus
   awk -F, '
     NR == FNR { for (k = 1; k <= NF; k++) was[FNR, k] = $k; next }
     { for (k = 1; k <= NF; k++) if ($k != was[FNR, k] && !(($k - was[FNR, k]) ^ 2 < 1e-10 * $k ^ 2)) { print $k " is not " was[FNR, k]; bad = 1 } }

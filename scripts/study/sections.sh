@@ -13,9 +13,10 @@ report() {
 }
 
 head_section() {
+  local layout
   echo "# $study: where this gear shimmies, and with which device it does not"
   echo
-  echo "Layouts $(name_of "$(list_of <<< "$layouts")"); speeds up to V_top = $top m/s; inertances up to b = $(number "$b_most") N m s²/rad. ψ is the torsion of the wheels about the strut, δ the lateral bending of the strut, δ* its deflection at the axle; c_d is the damper of the device, k_s the spring in series with it, b an inerter. Shimmy: straight rolling is unstable, and an oscillation of ψ or of δ grows by itself."
+  echo "Layouts, each drawn in its section: $(for layout in $layouts; do printf '**%s** %s\n' "$(name_of "$layout")" "$(sed -n '1s/.*layout [^:]*: *//; 1s/ *(paper.*//; 1p' "models/$layout.c")"; done | paste -sd ';' | sed 's/;/; /g'). Speeds up to V_top = $top m/s; inertances up to b = $(number "$b_most") N m s²/rad. ψ is the torsion of the wheels about the strut, δ the lateral bending of the strut, δ* its deflection at the axle; c_d is the damper of the device, k_s the spring in series with it, b an inerter. Shimmy: straight rolling is unstable, and an oscillation of ψ or of δ grows by itself."
   echo
   echo "Regions, intervals, widths and damping ratios are exact (eigenvalue problems, nothing sampled)$([ "$exact" = yes ] || echo "; branches of shimmy and torus curves are by AUTO-07p")."
   echo
