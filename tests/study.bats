@@ -162,7 +162,7 @@ END
 
 @test "after Ctrl-C nothing goes on, and a repeated study makes again no run that was done" {
   local pid n=0
-  timeout -s INT 300 scripts/study.sh stopped layouts=l1 > /dev/null 2>&1 &
+  timeout -s INT 300 scripts/study.sh stopped layouts=l1 at=38000,6000 > /dev/null 2>&1 &
   pid=$!
   while [ -z "$(find build/studies/stopped/runs -name 'b.*.[0-9]' ! -path '*.part/*' 2> /dev/null)" ]; do
     sleep 0.05
@@ -175,7 +175,7 @@ END
   sleep 0.3
   [ -z "$(find build/studies/stopped/runs -name '*.part')" ]
   find build/studies/stopped/runs -name 'b.*' -printf '%p %i %T@\n' | sort > before
-  study stopped layouts=l1
+  study stopped layouts=l1 at=38000,6000
   find build/studies/stopped/runs -name 'b.*' -printf '%p %i %T@\n' | sort > all
   [ -z "$(comm -23 before all)" ]
   [ "$(wc -l < before)" -lt "$(wc -l < all)" ]
