@@ -90,6 +90,11 @@ static void print_crossings(const struct arguments *a, const struct libmlg_curve
           print_double_hopf(a, &curve[i].point[u], &curve[k].point[v]);
 }
 
+static void print_curve_point(int curve, const char *kind, const char *shimmy, const struct libmlg_curve_point *p)
+{
+  printf("%d,%s,%s,,%.8g,%.8g,%.6g\n", curve + 1, kind, shimmy, p->V, p->c_d, p->omega / (2. * MLG_PI));
+}
+
 static void print_curves(const struct arguments *a, const struct libmlg_plane *plane)
 {
   struct libmlg_curve *curve;
@@ -100,11 +105,19 @@ static void print_curves(const struct arguments *a, const struct libmlg_plane *p
   printf("# Hopf curves: V m/s, c_d N m s/rad, frequency Hz; plane %.6g,%.6g,%.6g,%.6g\n"
          "curve,kind,shimmy,type,V,c_d,frequency_hz\n", plane->V_least, plane->V_top, plane->c_least, plane->c_most);
   for (int i = 0; i < n; i++) {
-    const char *kind = curve[i].closed ? "closed" : "open", *shimmy = shimmy_of_curve(a, &curve[i]);
+    const char *kind = curve[i].closed ? "closed" : "open", *before = NULL;
 
-    for (int k = 0; k < curve[i].n; k++)
-      printf("%d,%s,%s,,%.8g,%.8g,%.6g\n", i + 1, kind, shimmy, curve[i].point[k].V, curve[i].point[k].c_d,
-             curve[i].point[k].omega / (2. * MLG_PI));
+    for (int k = 0; k < curve[i].n; k++) {
+      const struct libmlg_curve_point *p = &curve[i].point[k];
+      const char *shimmy = shimmy_name(a->par, hopf_near(a, p->c_d, p).delta_over_psi);
+
+      if (before && before != shimmy) { /* the stretches of either name meet there */
+        print_curve_point(i, kind, before, p);
+        printf("\n");
+      }
+      print_curve_point(i, kind, shimmy, p);
+      before = shimmy;
+    }
     printf("\n");
     for (int k = 0; k < curve[i].extrema; k++)
       printf("%d,%s,%s,LP,%.8g,%.8g,%.6g\n", i + 1, kind, shimmy_name(a->par, curve[i].extremum[k].delta_over_psi), curve[i].extremum[k].V,
@@ -202,9 +215,9 @@ const struct command command_plane = {
   .details =
     "Without c_least and c_most a decade about all boundary points and about\n"
     "k_d sqrt(J_zeta/k_psi), the device's own scale, and three decades about that at most.\n"
-    "CSV, a block with an empty line behind it for each curve:\n"
+    "CSV, a block with an empty line behind it for each curve, or stretch of one name:\n"
     "  curve, kind   number; open, from edge to edge, or closed\n"
-    "  shimmy        psi or delta, what the curve bounds\n"
+    "  shimmy        psi or delta, the oscillation at the margin there\n"
     "  type          LP: an extremum of c_d along it; HH (curve 0): two oscillations at once, to\n"
     "                rounding\n"
     "  V, c_d, frequency_hz   m/s, N m s/rad, Hz\n"
