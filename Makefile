@@ -197,7 +197,7 @@ parts_layouts := li3 li4 li5
 parts_certify := l1 l2 li1 li2
 parts_sections := past tori elsewhere
 parts_sweeps := load map play hopf
-parts_joints := l1 l2 li1 li2 li3
+parts_joints := cycles play planes friction thresholds dampers starts
 parts_doubts := zB_shared R_moves heading I_p tyre
 parts_networks := small
 parts_passive := orders gears
@@ -245,7 +245,7 @@ networks: ## the best designs of every small network, half an hour (docs/network
 passive: ## the largest damping of any passive device, half an hour (docs/networks.md)
 sections: ## what follows past the torus points of Figure 6 (docs/simulate.md)
 sweeps: ## a million gears over load and tolerance, a map over (e, l), AUTO against the algebra; 15 minutes (docs/sweeps.md)
-joints: ## play, friction and real dampers, some five minutes of a processor (docs/joints.md)
+joints: ## play, friction and real dampers, half an hour of a processor (docs/joints.md)
 doubts: ## what the results hang on: the model's choices, another tyre (docs/doubts.md)
 design: ## designs under loads, tolerances and spreads, and advice (docs/design.md)
 certify: ## do oscillations reach into the zero-shimmy regions? (docs/certification.md)

@@ -8,6 +8,8 @@
 # Needs   the models (make models)
 # Writes  build/tests/joints
 
+# shellcheck disable=SC2016 # conditions of awk
+
 bats_require_minimum_version 1.5.0
 load scratch
 
@@ -257,33 +259,159 @@ EOF
     "$(cell k_psi joints l2 at=1 V=60 k_s=7.86e5 c_d=8000 g_psi=0.01)" 1e-9 "k_psi"
 }
 
-## Tables of record
+## What is looked for by halving
 
-@test "samples of the amplitudes of record, by integration from another start" {
-  local layout V g psi k_s b c_d words n=0
-  while IFS=, read -r layout _ V g _ _ psi _; do
-    case $layout in
-      li3) k_s=718567 b=28.77 c_d=10455 ;;
-      *) IFS=, read -r k_s b c_d < <(mlg pick "$ROOT/results/damping.csv" where=layout="$layout" where=choice=middle columns=k_s,b,c_d) ;;
-    esac
-    words=(k_s="$k_s")
-    case $layout in li*) words+=(b="$b") ;; esac
-    near "$(cell psi_max cycle "$layout" "${words[@]}" c_d="$c_d" V="$V" g_psi="$g" psi=0.03 settle=60)" "$psi" 3e-4 "psi of $layout at V = $V, play $g"
-    n=$((n + 1))
-  done < <(awk -F, '/^[^#]/ && $2 == "middle" && $7 > 0 && $3 >= 50 && $3 <= 130' "$ROOT/results/joints.csv" | shuf -n 6 --random-source=<(yes "${SEED:-1}"))
-  [ "$n" -eq 6 ]
+@test "decay refuses in one line, and says what happens at the ends" {
+  refuses "*expected NAME=FROM:TO, the value that is looked for*" mlg decay l1 V=60
+  refuses "*'T_psi=5:1': expected NAME=FROM:TO, FROM below TO" mlg decay l1 T_psi=5:1 v_f=0.1
+  refuses "*'T_psi=0:9' is looked for already" mlg decay l1 T_psi=0:9 release=1:2 v_f=0.1
+  refuses "*T_f, T_psi) needs v_f above 0*" mlg decay l1 T_psi=0:9
+  refuses "*'release=1:200': outside its range*" mlg decay l1 release=1:200
+  refuses "*'cycles=1': at= asks for one amplitude*" mlg joints l1 V=10:20:2 at=1 cycles=1
+  run -0 --separate-stderr mlg decay l1 V=170 c_d=2890 g_psi=0.004363 v_f=0.01 T_psi=100:200 # it dies out at both
+  [ "${lines[1]}" = ",dies,dies,,dies,dies" ] && [ -z "$stderr" ]
+  [ "$(mlg decay l1 T_psi=100:200 V=150:170:2 c_d=2890 g_psi=0.004363 v_f=0.01 | tail -n 1)" = "170,,dies,dies,,dies,dies" ] # in any order
+  # AUTO's fold of cycles, of the same v_f (docs/joints.md)
+  near "$(cell T_psi decay l1 V=60 c_d=2890 g_psi=0.004363 v_f=0.05 T_psi=83.5:84.5)" 84.0 2e-3 "friction from which on it dies"
 }
 
-@test "samples of the plane of record, by integration: sustained or not" {
-  local V c_d ratio n=0
-  while IFS=, read -r _ V c_d ratio; do
-    if [ "$ratio" = 0 ]; then
-      run mlg cycle l1 c_d="$c_d" V="$V" g_psi=0.00174532925199 psi=0.01 settle=60
-      [ "$status" -eq 1 ] || near "$(tail -n 1 <<<"$output" | cut -d, -f3)" 0.1 1
-    else
-      near "$(cell psi_max cycle l1 c_d="$c_d" V="$V" g_psi=0.00174532925199 psi=0.01 settle=60)" "$(awk "BEGIN { print 0.1 * $ratio }")" 0.25 "psi at V = $V, c_d = $c_d"
-    fi
+@test "a map at one amplitude has the mode that grows fastest" {
+  local growth
+  growth=$(mlg joints l1 V=20:60:2 c_d=1 c_2=3000 at=1 | sed -n 2p)
+  near "$(cut -d, -f2 <<<"$growth")" "$(cell growth joints l1 V=20 c_d=1 c_2=3000 at=1 near="$(cut -d, -f3 <<<"$growth")")" 1e-5
+}
+
+## Tables of record
+
+# Sets c_d, and words: the gear of choice middle but for it, and these
+middle() { # LAYOUT [WORD...]
+  local k_s b
+  case $1 in
+    li3) k_s=718567 b=28.77 c_d=10455 ;;
+    *) IFS=, read -r k_s b c_d < <(mlg pick "$ROOT/results/damping.csv" where=layout="$1" where=choice=middle columns=k_s,b,c_d) ;;
+  esac
+  words=("$1" k_s="$k_s" b="$b" "${@:2}")
+}
+
+rad() { awk "BEGIN { printf \"%.10g\", $1 * atan2(0, -1) / 180 }"; }
+
+# c_2 of a damper that has in the mean c at 1 degree and 11 Hz
+quadratic() { awk "BEGIN { print 3 * $1 / (8 * 2 * 11) * 180 / atan2(0, -1) }"; }
+
+# The largest psi in the last second of so many after a release of psi, DEGREES
+after() { # SECONDS DEGREES WORD...
+  mlg simulate "${words[0]}" history "${words[@]:1}" "${@:3}" psi="$(rad "$2")" t_end="$1" dt=0.005 rtol=1e-9 | awk -F, -v end="$1" '
+    /^#/ { next } !place { for (k = 1; k <= NF; k++) if ($k == "psi") place = k; next }
+    $1 > end - 1 && $place * $place > most { most = $place * $place } END { print sqrt(most) }'
+}
+
+sample() { # N TABLE CONDITION (of awk): rows of results/TABLE.csv, others with another SEED
+  awk -F, "/^l[1-9i]/ && ($3)" "$ROOT/results/$2.csv" | shuf -n "$1" --random-source=<(yes "${SEED:-1}")
+}
+
+@test "samples of the amplitudes of record, by integration from another start" {
+  local layout V g psi n=0
+  while IFS=, read -r layout _ V g _ _ psi _; do
+    middle "$layout"
+    near "$(cell psi_max cycle "${words[@]}" c_d="$c_d" V="$V" g_psi="$g" psi=0.03 settle=60)" "$psi" 3e-4 "psi of $layout at V = $V, play $g"
     n=$((n + 1))
-  done < <(awk -F, '/^l1,/ && $4 < 6 && $4 != "inf" && $2 > 30' "$ROOT/results/joints_planes.csv" | shuf -n 5 --random-source=<(yes "${SEED:-1}"))
+  done < <(sample 4 joints '$2 == "middle" && $7 > 0 && $3 >= 50 && $3 <= 130')
+  [ "$n" -eq 4 ]
+}
+
+@test "samples of the play that shimmies 0.1 degree beyond itself, and of the planes, by integration at other plays" {
+  local layout V at ratio g n=0
+  while IFS=, read -r layout _ V _ _ g; do
+    middle "$layout"
+    near "$(cell psi_max cycle "${words[@]}" c_d="$c_d" V="$V" g_psi="$(rad "$g")" psi=0.03 settle=40)" "$(awk "BEGIN { print $g + 0.1 }")" 0.02 "psi of $layout at V = $V, play $g"
+    n=$((n + 1))
+  done < <(sample 2 joints_play '$2 == "middle" && $3 >= 40 && $6 > 0')
+  while IFS=, read -r layout V at _ ratio; do
+    middle "$layout"
+    near "$(cell psi_max cycle "${words[@]}" c_d="$at" V="$V" g_psi="$(rad 0.3)" psi=0.02 settle=40)" "$(awk "BEGIN { print 0.3 * $ratio }")" 0.02 "psi of $layout at V = $V, c_d = $at"
+    n=$((n + 1))
+  done < <(sample 3 joints_planes_cycles '$4 != "inf" && $5 > 1 && $5 < 2.2 && $2 > 30')
   [ "$n" -eq 5 ]
+}
+
+@test "samples of the plane by describing functions: again, and by integration" {
+  local layout V at ratio psi n=0
+  while IFS=, read -r layout V at ratio; do
+    middle "$layout"
+    near "$(cell psi joints "${words[@]}" c_d="$at" V="$V" g_psi="$(rad 0.2)")" "$(awk "BEGIN { print 0.2 * $ratio }")" 1e-4 "psi of $layout at V = $V, c_d = $at"
+    psi=$(cell psi_max cycle "${words[@]}" c_d="$at" V="$V" g_psi="$(rad 0.1)" psi=0.01 settle=40)
+    near "$psi" "$(awk "BEGIN { print 0.1 * $ratio }")" 0.3 "psi of $layout at V = $V, c_d = $at by integration"
+    n=$((n + 1))
+  done < <(sample 3 joints_planes '$4 > 0 && $4 < 4 && $2 > 30 && $2 < 140')
+  [ "$n" -eq 3 ]
+}
+
+@test "samples of the friction of record: with a little less shimmy goes on, with a little more it dies out" {
+  local layout V g T n=0
+  while IFS=, read -r layout V g T _; do
+    middle "$layout" V="$V" g_psi="$g" v_f=0.01
+    awk -v less="$(after 20 5 c_d="$c_d" T_psi="$(awk "BEGIN { print 0.95 * $T }")")" -v more="$(after 20 5 c_d="$c_d" T_psi="$(awk "BEGIN { print 1.05 * $T }")")" \
+      -v g="$g" 'BEGIN { exit !(less > g && more < g / 2) }' || { echo "$layout V=$V g=$g T=$T"; return 1; }
+    n=$((n + 1))
+  done < <(sample 4 joints_friction '$4 > 20')
+  [ "$n" -eq 4 ]
+}
+
+@test "samples of friction of the device and of quadratic dampers, by integration from another start" {
+  local layout V g T psi n=0
+  while IFS=, read -r layout V g T _ _ psi _; do
+    middle "$layout"
+    near "$(cell psi_max cycle "${words[@]}" c_d="$c_d" V="$V" g_psi="$g" T_f="$T" v_f=0.01 psi=0.04 settle=40)" "$psi" 2e-3 "psi of $layout at T_f = $T, play $g"
+    n=$((n + 1))
+  done < <(sample 2 joints_device '$3 > 0 && $7 > 0 && $9 < 0.997')
+  while IFS=, read -r layout _ V _ psi _; do
+    middle "$layout"
+    near "$(cell psi_max cycle "${words[@]}" c_d=1 c_2="$(quadratic "$c_d")" V="$V" psi=0.01 settle=40)" "$psi" 2e-3 "psi of $layout with a quadratic damper at V = $V"
+    n=$((n + 1))
+  done < <(sample 2 joints_dampers '$2 == "quadratic" && $5 > 0.1 && $3 > 20')
+  [ "$n" -eq 4 ]
+}
+
+@test "samples of the disturbances of record: a little less dies, a little more goes on" {
+  local layout V T release c_r n=0
+  while IFS=, read -r layout V T release _; do
+    middle "$layout" V="$V" g_psi="$(rad 0.25)" v_f=0.01 T_psi="$T"
+    awk -v less="$(after 20 "0.97 * $release" c_d="$c_d")" -v more="$(after 20 "1.03 * $release" c_d="$c_d")" -v g="$(rad 0.25)" \
+      'BEGIN { exit !(less < g / 2 && more > g) }' || { echo "$layout V=$V T=$T"; return 1; }
+    n=$((n + 1))
+  done < <(sample 2 joints_thresholds '$4 > 0')
+  while IFS=, read -r layout _ V _ _ release _; do # of relief valves
+    middle "$layout" V="$V" T_max=2000
+    c_r=$(awk "BEGIN { print $c_d / 100 }")
+    awk -v less="$(after 10 "0.97 * $release" c_d="$c_d" c_r="$c_r")" -v more="$(after 10 "1.03 * $release" c_d="$c_d" c_r="$c_r")" 'BEGIN { exit !(more > 3 * less) }'
+    n=$((n + 1))
+  done < <(sample 1 joints_dampers '$2 == "relief" && $6 > 0')
+  [ "$n" -eq 3 ]
+}
+
+@test "what a quadratic damper leaves: nothing grows within, at each of the three amplitudes, and the growth is the eigenvalues'" {
+  local layout psi lo hi c growth row V hz n=0
+  while IFS=, read -r layout psi lo hi _; do
+    middle "$layout"
+    while read -r c growth; do
+      row=$(mlg joints "${words[@]}" c_d=1 c_2="$(quadratic "$c")" at="$psi" V=2:200:67 | sed 1d | sort -t, -g -k2 | tail -n 1)
+      awk -v growth="$growth" -v x="$(cut -d, -f2 <<<"$row")" 'BEGIN { exit !(growth * x > 0) }' || { echo "$layout, psi $psi, c $c: $row"; return 1; }
+    done < <(awk "BEGIN { print 0.99 * $lo, 1; print 1.01 * $lo, -1; print 0.99 * $hi, -1; print 1.01 * $hi, 1 }")
+    # the equivalent gear of the last row, whose eigenvalue is its growth
+    IFS=, read -r V growth hz _ <<<"$row"
+    c=$(cell c_d joints "${words[@]}" c_d=1 c_2="$(quadratic "$(awk "BEGIN { print 1.01 * $hi }")")" at="$psi" V="$V" near="$hz")
+    near "$(mlg eigenvalues "${words[@]}" c_d="$c" V="$V" | awk -F, -v hz="$hz" 'NR > 1 && ($3 - hz) ^ 2 < 1e-4 { print $1; exit }')" "$growth" 1e-3 "growth"
+    n=$((n + 1))
+  done < <(sample 1 joints_quadratic '$3 > 0')
+  [ "$n" -eq 1 ]
+}
+
+@test "the starts of record: the first of each layout again, and as many as certification's 40" {
+  local layout
+  for layout in l1 l2 li1 li2 li3; do [ "$(grep -c "^$layout," "$ROOT/results/joints_starts.csv")" -eq 40 ] || return 1; done
+  layout=$(printf '%s\n' l1 l2 li1 li2 | shuf -n 1 --random-source=<(yes "${SEED:-1}"))
+  . scripts/auto/lib.sh
+  paper_gear "$layout"
+  near_each 1e-3 "a start of $layout" < <(mlg search "$layout" k_s="$k_s" b="$b" c_lo="$c_lo" c_hi="$c_hi" g_psi="$(rad 0.25)" corner=0.02 T_psi=300 v_f=0.05 \
+    starts=1 longest=120 | tail -n 1 | tr , '\n' | sed -n '1p;2p;3p' | paste -d' ' - <(grep "^$layout," "$ROOT/results/joints_starts.csv" | head -n 1 | tr , '\n' | sed -n '2,4p'))
 }

@@ -32,6 +32,7 @@
   X(generalised)    /* gear/generalised.c */ \
   X(simulate)       /* gear/simulate.c */ \
   X(joints)         /* gear/joints.c */ \
+  X(decay)          /* gear/decay.c */ \
   X(cycle)          /* gear/cycle.c */ \
   X(search)         /* gear/search.c */ \
   X(loads)          /* gear/loads.c */ \

@@ -198,7 +198,7 @@ static bool is_neutral(enum parameter_number n, double value)
 /* Commands that run the laws of elements.h as they are. */
 static bool runs_laws(const char *command)
 {
-  static const char *const names[] = { "simulate", "search", "transients", "cycle", "joints" };
+  static const char *const names[] = { "simulate", "search", "transients", "cycle", "joints", "decay" };
 
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)
     if (strcmp(command, names[i]) == 0)

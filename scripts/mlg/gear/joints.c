@@ -5,19 +5,18 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "grid.h"
 
 static const char name[] = "joints";
 
 static const double degree = MLG_PI / 180.;
 
-enum { LEAST, PSI_MOST, AT, NEAR, CYCLES, SETTLE, MOST_RANGES = 2, MOST = 32 };
+enum { LEAST, PSI_MOST, AT, NEAR, CYCLES, SETTLE, MOST = 32 };
 
 struct map {
   struct arguments a;
   struct option *option;
-  struct range range[MOST_RANGES];
-  int ranges;
-  double value[MOST_RANGES];
+  struct grid grid;
   struct libmlg_run run;                    /* with cycles=1 */
   double state[LIBMLG_MOST_STATES], psi;    /* of the cycle before, 0: none */
 };
@@ -58,31 +57,19 @@ static void print_cycles(const struct arguments *a, const struct option option[]
            cycle[i].frequency_hz, cycle[i].stable);
 }
 
-/* In equal steps, over a factor of 50 and more in equal ratios. */
-static void set_range(struct map *m, int k, int i)
-{
-  const struct range *r = &m->range[k];
-
-  const double t = (double)i / (r->n - 1);
-
-  m->value[k] = r->from > 0. && r->to / r->from >= 50. ? r->from * pow(r->to / r->from, t) : r->from + (r->to - r->from) * t;
-  retake_value(&m->a, r->text, range_name_length(r), m->value[k]);
-  if (libmlg_lacks(m->a.par))
-    fail(name, MLG_BAD_INPUT, "%s", libmlg_lacks(m->a.par));
-}
-
-/* The cycle by integration: from that of the point before, in proportion, or from afar; what
- * it is where no periodic orbit was found. */
+/* The cycle by integration: from that of the point before, in proportion where both are
+ * known, or from afar; what it is where no periodic orbit was found. */
 static void print_by_integration(struct map *m, double guess)
 {
   const double settle = m->option[SETTLE].value;
+  const int same = !isfinite(guess) && !isfinite(m->psi), known = isfinite(guess) && isfinite(m->psi);
   double start[LIBMLG_MOST_STATES] = { 0. };
   struct libmlg_cycle c = { .motion = { .kind = LIBMLG_UNDECIDED } };
   int found = -1;
 
-  if (m->psi > 0. && guess > 0.) {
+  if (m->psi > 0. && guess > 0. && (same || known)) {
     for (int i = 0; i < libmlg_states(m->a.layout); i++)
-      start[i] = m->state[i] * fmin(guess / m->psi, 10.);
+      start[i] = m->state[i] * (same ? 1. : fmin(guess / m->psi, 10.));
     found = libmlg_cycle(&m->run, m->a.layout, m->a.par, start, settle, &c);
   }
   if (found != 0 && c.motion.kind != LIBMLG_QUASI_PERIODIC && c.motion.kind != LIBMLG_IRREGULAR) {
@@ -101,20 +88,29 @@ static void print_by_integration(struct map *m, double guess)
     printf("%.6g", c.motion.psi_most / degree);
 }
 
-static void print_map(struct map *m, int k)
+/* Of all modes that are found from 4 to 20 Hz the one that grows fastest at that amplitude. */
+static void print_growth(void *data)
 {
+  const struct map *m = data;
+  const double nearest = m->option[NEAR].value;
+  struct libmlg_mode most = { .re = -INFINITY }, mode;
+
+  for (double near = m->option[NEAR].word ? nearest : 4.; near <= (m->option[NEAR].word ? nearest : 20.); near += 2.)
+    if (libmlg_equivalent(m->a.layout, m->a.par, m->option[AT].value * degree, near, NULL, &mode) == 0 && mode.re > most.re)
+      most = mode;
+  if (isfinite(most.re))
+    printf("%.6g,%.6g,%.6g\n", most.re, most.frequency_hz, most.delta_over_psi);
+  else
+    printf(",,\n");
+}
+
+static void print_point(void *data)
+{
+  struct map *m = data;
   struct libmlg_balance cycle[MOST];
   double psi = 0., hz = 0., threshold = 0.;
   int n, grows;
 
-  if (k < m->ranges) {
-    m->psi = 0.;
-    for (int i = 0; i < m->range[k].n; i++) {
-      set_range(m, k, i);
-      print_map(m, k + 1);
-    }
-    return;
-  }
   n = cycles_of(&m->a, m->option, cycle, &grows);
   for (int i = 0; i < n; i++)
     if (cycle[i].stable && !(psi > 0.)) {
@@ -122,8 +118,6 @@ static void print_map(struct map *m, int k)
       hz = cycle[i].frequency_hz;
     } else if (!cycle[i].stable)
       threshold = cycle[i].psi;
-  for (int i = 0; i < m->ranges; i++)
-    printf("%.10g,", m->value[i]);
   if (grows)
     printf("inf,,");
   else
@@ -134,11 +128,10 @@ static void print_map(struct map *m, int k)
   printf("\n");
 }
 
-static void add_range(struct map *m, const char *text)
+/* The cycle before is of no use any more. */
+static void forget(void *data)
 {
-  if (m->ranges == MOST_RANGES)
-    refuse(name, text, "there are two ranges already");
-  m->range[m->ranges++] = take_range(&m->a, text);
+  ((struct map *)data)->psi = 0.;
 }
 
 static int joints(int argc, char *argv[])
@@ -148,33 +141,28 @@ static int joints(int argc, char *argv[])
     { "at", "deg", 1e-9, 90., 0., NULL }, { "near", "Hz", 1e-3, 1e4, 11., NULL },
     { "cycles", "", 0., 1., 0., NULL }, { "settle", "s", 0., 1e6, 4., NULL }, { NULL, NULL, 0., 0., 0., NULL },
   };
-  struct map m = { .option = option };
+  struct map m = { .option = option, .grid.a = &m.a };
 
   begin_arguments(&m.a, argc, argv, option);
   for (int i = 2; i < argc; i++)
-    if (strchr(argv[i], ':'))
-      add_range(&m, argv[i]);
-    else
-      take_word(&m.a, argv[i]);
+    grid_word(&m.grid, argv[i]);
   end_arguments(&m.a);
   if (option[LEAST].value >= option[PSI_MOST].value)
     refuse(name, option[PSI_MOST].word ? option[PSI_MOST].word : option[LEAST].word, "psi_most has to be above psi_least");
-  if (option[AT].word && m.ranges > 0)
-    refuse(name, option[AT].word, "is for one gear, not for a map");
-  if (option[AT].word)
+  if (option[AT].word && option[CYCLES].value > 0.)
+    refuse(name, option[CYCLES].word, "at= asks for one amplitude, not for cycles");
+  if (option[AT].word && m.grid.ranges == 0)
     print_equivalent(&m.a, option);
-  else if (m.ranges == 0)
+  else if (m.grid.ranges == 0)
     print_cycles(&m.a, option);
   else {
     if (option[CYCLES].value > 0. && libmlg_run_begin(&m.run, m.a.layout, 1e-8) != 0)
       fail(name, MLG_FAILED, "out of memory");
-    for (int end = 0; end < 2; end++) /* what is refused, before anything is printed */
-      for (int k = 0; k < m.ranges; k++)
-        set_range(&m, k, end ? m.range[k].n - 1 : 0);
-    for (int k = 0; k < m.ranges; k++)
-      printf("%.*s,", (int)strcspn(m.range[k].text, "="), m.range[k].text);
-    printf("psi,frequency_hz,threshold%s\n", option[CYCLES].value > 0. ? ",psi_cycle,hz_cycle,multiplier,motion,psi_most" : "");
-    print_map(&m, 0);
+    grid_check(&m.grid);
+    grid_head(&m.grid);
+    printf("%s%s\n", option[AT].word ? "growth,frequency_hz,delta_over_psi" : "psi,frequency_hz,threshold",
+           option[CYCLES].value > 0. ? ",psi_cycle,hz_cycle,multiplier,motion,psi_most" : "");
+    grid_rows(&m.grid, option[AT].word ? print_growth : print_point, forget, &m);
     libmlg_run_end(&m.run);
   }
   return output_status(name);
@@ -202,6 +190,8 @@ const struct command command_joints = {
     "cycle (0: none). cycles=1: beside it psi_cycle, hz_cycle and multiplier of the cycle that\n"
     "integration comes to (mlg cycle, rtol 1e-8), settle= seconds from the point before, five\n"
     "times that from afar; 0: it dies out, within the gap at least; empty: not periodic, and\n"
-    "motion says what (mlg help cycle), psi_most the largest maximum of psi then.\n",
+    "motion says what (mlg help cycle), psi_most the largest maximum of psi then.\n"
+    "at=DEGREES with ranges: growth, frequency_hz and |delta/psi| of the mode that grows fastest at\n"
+    "that amplitude, of those found from 4, 6, ... 20 Hz, or the one near near=.\n",
   .run = joints,
 };

@@ -10,7 +10,7 @@ static const char name[] = "search";
 static const double psi_0 = 15. * MLG_PI / 180.; /* rad; the cycles followed end at 15 degrees */
 static const double dstar_0 = 0.03;              /* m; the largest cycles reach 0.013 */
 static const double window = 2., step = 1e-3;    /* s */
-static const double least = 30., most = 2000.;   /* s, of one start */
+static const double least = 30.;                 /* s, of one start */
 static const double small = 0.1;                 /* size that it has to fall below */
 
 /* Element i = 1, 2, ... of the van der Corput sequence of a prime base, in 0 to 1. */
@@ -49,7 +49,7 @@ static struct size over_window(struct libmlg_run *run, const double par[])
 }
 
 /* One start, printed as a row. */
-static void try_start(struct libmlg_run *run, const double par[], const double u[])
+static void try_start(struct libmlg_run *run, const double par[], const double u[], double most)
 {
   struct size first, last, before;
 
@@ -69,10 +69,10 @@ static void try_start(struct libmlg_run *run, const double par[], const double u
 
 static int search(int argc, char *argv[])
 {
-  enum { C_LO, C_HI, STARTS };
+  enum { C_LO, C_HI, STARTS, LONGEST };
   struct option option[] = {
     { "c_lo", "N m s/rad", 1e-3, 1e9, 0., NULL }, { "c_hi", "N m s/rad", 1e-3, 1e9, 0., NULL },
-    { "starts", "", 1., 1e9, 400., NULL }, { NULL, NULL, 0., 0., 0., NULL },
+    { "starts", "", 1., 1e9, 400., NULL }, { "longest", "s", 30., 1e6, 2000., NULL }, { NULL, NULL, 0., 0., 0., NULL },
   };
   struct arguments a;
   struct libmlg_run run;
@@ -102,7 +102,7 @@ static int search(int argc, char *argv[])
     u[DDELTA] = 2. * MLG_PI * 17.5 * delta_0 * (2. * halton(i, 13) - 1.); /* near 17.5 Hz */
     u[LAMBDA_L] = lambda_0 * (2. * halton(i, 17) - 1.);
     u[LAMBDA_R] = lambda_0 * (2. * halton(i, 19) - 1.);
-    try_start(&run, par, u);
+    try_start(&run, par, u, option[LONGEST].value);
     fflush(stdout);
   }
   libmlg_run_end(&run);
@@ -111,7 +111,7 @@ static int search(int argc, char *argv[])
 
 const struct command command_search = {
   .name = name,
-  .usage = "LAYOUT c_lo=VALUE c_hi=VALUE [starts=N] [NAME=VALUE ...]",
+  .usage = "LAYOUT c_lo=VALUE c_hi=VALUE [starts=N] [longest=SECONDS] [NAME=VALUE ...]",
   .summary = "integrate large disturbances: does any go on as shimmy?",
   .details =
     "Integrates the gear from N states (400) that fill, as evenly as a Halton sequence\n"
@@ -121,8 +121,8 @@ const struct command command_search = {
     "\n"
     "The size of an oscillation is max sqrt((psi/15 deg)^2 + (delta*/0.03 m)^2) over two\n"
     "seconds.  A start is followed for 30 s at least and until its size is below a tenth;\n"
-    "if it still falls there it \"falls\".  One that is not there after 2000 s, or does not\n"
-    "fall, is \"sustained\".\n"
+    "if it still falls there it \"falls\".  One that is not there after longest= seconds (2000),\n"
+    "or does not fall, is \"sustained\".\n"
     "\n"
     "Prints CSV: V m/s, c_d N m s/rad, psi_start and dstar_start (largest psi, deg, and\n"
     "delta*, m, in the first two seconds), limits (how often a slip angle passed alpha_m),\n"
