@@ -18,7 +18,7 @@ do for [ending in "png svg"] {
     set title "(a".panel.") ".names[panel]; set ylabel (panel == 1 ? "ψ (deg)" : "") offset 1.5,0
     set yrange [0.1:20]; set ytics ("0.1" 0.1, "0.3" 0.3, "1" 1, "3" 3, "10" 10)
     if (panel == 1) { set key top right samplen 1.5 title "play, deg" } else { set key noautotitle; unset key }
-    plot for [k=1:4] cycles(layout, word(plays(layout), int(2**(k-1)))) using 1:2 with lines lw 2 lc rgb shade[k] \
+    plot for [k=1:4] cycles(layout, word(plays(layout), int(2**(k-1)))) using 1:($2 > 0.1 ? $2 : NaN) with lines lw 2 lc rgb shade[k] \
            title sprintf("%.3g", real(word(plays(layout), int(2**(k-1))))*degree), \
          for [k=1:4] cycles(layout, word(plays(layout), int(2**(k-1)))) using 1:($3 > 0.1 ? $3 : NaN) with lines lw 1.5 dt (3,3) lc rgb shade[k]
     unset key

@@ -81,7 +81,8 @@ runs_planes() {
 }
 
 # How much friction, of the wheels or of the device, how much play needs, by integration and by
-# describing functions (mlg decay). LI2's shimmy dies, goes on and dies again.
+# describing functions (mlg decay). LI2's shimmy dies, goes on and dies again,
+# and where hangs on rounding, too.
 runs_friction() {
   local layout k_s b c_d words
   for layout in $layouts; do
@@ -227,7 +228,7 @@ tables_of_friction() {
   begin_table results/joints_friction.csv \
     "# Friction T_psi, N m, of the wheel assembly (v_f 0.01 rad/s) above which play g_psi, rad, sustains no shimmy at V m/s, released" \
     "# at psi of 5 degrees: by integration and by describing functions (balance), to 1e-3 (mlg decay); empty: none up to 1000 N m" \
-    "# (V in steps of 20), 2000 N m (V 20 and 60). choice middle." \
+    "# (V in steps of 20), 2000 N m (V 20 and 60). choice middle. LI2: the last of the changes that 16 steps show, no sharp bound." \
     layout,V,g_psi,T_psi,T_psi_balance
   for layout in $layouts; do
     mlg pick "build/tables/joints.friction.V.$layout.csv" columns=V,T_psi,balance | sed "s/,/,$(rad 0.25),/; s/^/$layout,/" >> "$table.new"
