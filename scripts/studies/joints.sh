@@ -260,7 +260,7 @@ tables_of_dampers() {
   local layout size
   begin_table results/joints_dampers.csv \
     "# quadratic: a damper c_2 with c_d = 1 N m s/rad, in the mean the c_d of choice middle at 1 degree and 11 Hz of its own; its" \
-    "# stable cycle psi deg over V m/s by describing functions, psi_cycle by integration. at0.1, at1, at5: growth 1/s of the mode" \
+    "# stable cycle psi deg over V m/s by describing functions (inf: at 30 degrees it grows), psi_cycle by integration. at0.1, at1, at5: growth 1/s of the mode" \
     "# that grows fastest at that amplitude of psi, deg, with frequency_hz Hz. relief: c_d of choice middle with a sharp valve that" \
     "# opens at 2000 N m (c_r = c_d/100); threshold deg: psi released from which on it grows by integration (to 15 degrees), psi" \
     "# that of the unstable cycle by describing functions; empty: there is none." \
