@@ -99,6 +99,13 @@ static int crossing_near(const struct crossing *x, struct crossing_at *p)
   return 0;
 }
 
+/* Whether two of them are one, found twice.  Beside an antiresonance V has 9 digits, while two
+ * that are about to meet may be that near: those pass a = b = 0 the other way round. */
+static int is_same_crossing(const struct crossing *x, const struct crossing_at *p, const struct crossing_at *q)
+{
+  return fabs(p->t / q->t - 1.) < 1e-9 && fabs(p->V / q->V - 1.) < 1e-6 && (spin_sine(x, p) > 0.) == (spin_sine(x, q) > 0.);
+}
+
 /* Adds the crossings near t: a(V) = 0 gives starts for V. */
 static int add_crossings(const struct crossing *x, double t, double c, double V_least, double V_top,
                          struct crossing_at out[], int n)
@@ -123,7 +130,7 @@ static int add_crossings(const struct crossing *x, double t, double c, double V_
           || !(at.V > V_least && at.V < V_top))
         continue;
       for (int k = 0; k < n && !known; k++)
-        known = fabs(out[k].t / at.t - 1.) < 1e-12 && fabs(out[k].V / at.V - 1.) < 1e-10;
+        known = is_same_crossing(x, &out[k], &at);
       if (!known && n < T)
         out[n++] = at;
     }

@@ -19,6 +19,12 @@
 layouts="l1 l2 li1 li2"
 b_of() { case $1 in li*) echo 140 ;; *) echo 0 ;; esac; } # the paper's b
 
+# Sets k_s and b of the paper
+paper() {
+  paper_gear "$1"
+  k_s=${k_s/1e30/inf}
+}
+
 # words LAYOUT K_S B: the device for mlg
 words() {
   case $1 in l1) ;; l2) echo "k_s=$2" ;; *) echo "k_s=$2 b=$3" ;; esac
@@ -45,12 +51,18 @@ middle() { # LAYOUT K_S B: the middle of the widest interval there
 
 loads_of() { # LAYOUT
   local layout=$1 b k_s
-  paper_gear "$layout"
+  paper "$layout"
   # shellcheck disable=SC2046
   prefixed "$layout,paper" loads "$layout" $(words "$layout" "$k_s" "$b") c_d="$(middle "$layout" "$k_s" "$b")"
   prefixed "$layout,widest" loads "$layout" widest b="$b"
   prefixed "$layout,damped" loads "$layout" damped b="$b" step=3e4
   prefixed "$layout,over" loads "$layout" over b="$b" from=1.8e5 to=2.1e5 step=5e3
+}
+
+loads_over_b() { # LAYOUT
+  prefixed "$1,widest_b" loads "$1" widest b_most=300
+  prefixed "$1,damped_b" loads "$1" damped b_most=300 step=3e4
+  prefixed "$1,over_b" loads "$1" over b_most=300 from=1.8e5 to=2.1e5 step=5e3
 }
 
 largest_of() { # LAYOUT
@@ -66,13 +78,14 @@ runs_loads() {
     of "loads.$layout" "$layout" loads_of "$layout"
     of "largest.$layout" "$layout" largest_of "$layout"
   done
+  for layout in li1 li2; do of "loads_b.$layout" "$layout" loads_over_b "$layout"; done
 }
 
 # --- tolerances -------------------------------------------------------------------------------
 
 tolerances_of() { # LAYOUT
   local layout=$1 b k_s c_d
-  paper_gear "$layout"
+  paper "$layout"
   # shellcheck disable=SC2046
   prefixed "$layout,paper" tolerance "$layout" $(words "$layout" "$k_s" "$b")
   if [ "$layout" != l1 ]; then
@@ -86,13 +99,8 @@ tolerances_of() { # LAYOUT
   prefixed "$layout,tolerant" tolerance "$layout" best b="$(b_of "$layout")"
 }
 
-# Near the top of the map, where p over b is nearly flat; `mlg tolerance LAYOUT best b_most=300`
-# goes on from there to all digits, which takes minutes.
-tolerance_over_b() {
-  local b nodes='95 100'
-  [ "$1" = li1 ] || nodes='97 98'
-  for b in $nodes; do prefixed "$1,tolerant_b" tolerance "$1" best b="$b"; done | sort -t, -k6,6g | tail -n 1
-}
+# A minute or two each
+tolerance_over_b() { prefixed "$1,tolerant_b" tolerance "$1" best b_most=300; }
 
 runs_tolerance() {
   local layout
@@ -101,8 +109,8 @@ runs_tolerance() {
 }
 
 runs_map() {
-  of map.li1 li1 prefixed li1 tolerance li1 map k_s=1e5:1e6:13 b=0:160:9
-  of map.li2 li2 prefixed li2 tolerance li2 map k_s=3e5:3e6:13 b=0:270:10
+  of map.li1 li1 prefixed li1 tolerance li1 map k_s=1e5:1e6:33 b=0:160:25
+  of map.li2 li2 prefixed li2 tolerance li2 map k_s=3e5:3e6:33 b=0:270:28
 }
 
 # design LAYOUT DESIGN: sets k_s, b and c_d as the table of tolerances has them
@@ -117,7 +125,7 @@ best_design() { case $1 in li*) design "$1" tolerant_b ;; *) design "$1" toleran
 
 elasticities_of() { # LAYOUT
   local layout=$1 k_s b c_d
-  paper_gear "$layout"
+  paper "$layout"
   # shellcheck disable=SC2046
   prefixed_elasticities "$layout,paper,$k_s,$b,$(middle "$layout" "$k_s" "$b")" elasticities "$layout" $(words "$layout" "$k_s" "$b")
   best_design "$layout"
@@ -129,7 +137,7 @@ prefixed_elasticities() { mlg "${@:2}" | sed "1,2d; s/^/$1,/"; }
 
 probabilities_of() { # LAYOUT
   local layout=$1 k_s b c_d
-  paper_gear "$layout"
+  paper "$layout"
   # shellcheck disable=SC2046
   prefixed "$layout,paper" probability "$layout" $(words "$layout" "$k_s" "$b") spread=docs/examples/spread
   best_design "$layout"
@@ -209,11 +217,11 @@ tables() {
     "# Zero-shimmy intervals and damping over the static load. choice: paper, the paper's k_s and b with c_d in the middle" \
     "# of its interval at 200 kN; widest, at each load the k_s of the widest interval, c_d the best damped one there; damped," \
     "# at each load the best damped k_s and c_d; over, the one k_s and c_d whose least zeta over 180 to 210 kN is largest; all" \
-    "# at the paper's b. largest: the largest load with any zero-shimmy design, at that b; largest_b: over b in 0..300." \
+    "# at the paper's b. largest: the largest load with any zero-shimmy design, at that b. With _b: the same over b in 0..300." \
     "# F_z N; k_s N m/rad (inf: rigid), b N m s^2/rad; c_lo, c_hi, width N m s/rad of the widest interval, ratio c_hi/c_lo;" \
     "# zeta: least over V in 0.3..200 m/s at c_d, V m/s and mode of it, below 0: shimmy. Exact in V and c_d; k_s, b: mlg help loads." \
     layout,choice,F_z,k_s,b,c_lo,c_hi,width,ratio,c_d,zeta,V,shimmy
-  rows_of loads largest >> "$table.new"
+  rows_of loads loads_b largest >> "$table.new"
   end_table
 
   begin_table results/elasticities.csv \
@@ -227,7 +235,7 @@ tables() {
   begin_table results/tolerance.csv \
     "# p: F_z, k_t, e, l, h, k_lambda, k_alpha, c_delta, c_psi, k_delta, k_psi, c_d, k_s and b within +-p % at once give no" \
     "# shimmy at any corner, each tested exactly. design: paper and widest, c_d in the middle of the interval; damped, the best" \
-    "# damped k_s and c_d; tolerant, the k_s and c_d of the largest p; tolerant_b, the better of b = 95, 100 (LI1), 97, 98 (LI2)." \
+    "# damped k_s and c_d; tolerant, the k_s and c_d of the largest p; tolerant_b, over b in 0..300 as well (golden section)." \
     "# k_s N m/rad, b N m s^2/rad, c_d N m s/rad; V m/s and shimmy: what grows beyond p; corner: the first that does;" \
     "# failing: of so many points of a Halton sequence in the box." \
     layout,design,k_s,b,c_d,p,V,shimmy,corner,corners,sample,failing

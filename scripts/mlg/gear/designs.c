@@ -6,7 +6,20 @@
 #include "command.h"
 #include "names.h"
 
-bool take_interval(struct arguments *a, struct libmlg_interval *interval)
+/* A c_d that stands for an interval. */
+static double middle(const struct arguments *a, double V_least, const struct libmlg_interval *i)
+{
+  struct libmlg_ratio best;
+
+  if (isfinite(i->hi.c_d))
+    return 0.5 * (i->lo.c_d + i->hi.c_d);
+  if (i->lo.c_d > 0.)
+    return 2. * i->lo.c_d;
+  checked(a->command, libmlg_best_c_d(a->layout, a->par, V_least, a->V_top, &best));
+  return best.c_d;
+}
+
+bool take_interval(struct arguments *a, double V_least, struct libmlg_interval *interval)
 {
   struct libmlg_interval all[LIBMLG_MOST_POINTS];
   const double c_d = a->par[NUMBER_C_D];
@@ -22,7 +35,7 @@ bool take_interval(struct arguments *a, struct libmlg_interval *interval)
     }
   }
   if (widest > 0. && !a->word[NUMBER_C_D])
-    a->par[NUMBER_C_D] = isfinite(widest) ? 0.5 * (interval->lo.c_d + interval->hi.c_d) : fmax(2. * interval->lo.c_d, 1.);
+    a->par[NUMBER_C_D] = middle(a, V_least, interval);
   return widest > 0.;
 }
 

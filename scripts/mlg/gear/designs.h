@@ -5,9 +5,9 @@
 #include "arguments.h"
 
 /* Of the intervals of c_d at the parameters of a the one around its c_d if that was given,
- * otherwise the widest, in whose middle c_d is put (twice lo where it has no end); 0: there is
- * none. */
-bool take_interval(struct arguments *a, struct libmlg_interval *interval);
+ * otherwise the widest, in whose middle c_d is put: twice lo where it has no end, and where
+ * every c_d is free, the best damped one over V_least < V; 0: there is none. */
+bool take_interval(struct arguments *a, double V_least, struct libmlg_interval *interval);
 
 /* "F_z", or the name of a parameter; its unit. */
 const char *quantity_name(int parameter);

@@ -43,7 +43,7 @@ static int run(int argc, char *argv[])
 
   read_arguments(&a, argc, argv, option);
   check_speeds(&a, option[0].value);
-  if (!take_interval(&a, &interval))
+  if (!take_interval(&a, option[0].value, &interval))
     fail(argv[0], MLG_FAILED, "there is no zero-shimmy interval%s", a.word[NUMBER_C_D] ? " around that c_d" : " at these parameters");
   if (libmlg_least_ratio(a.layout, a.par, option[0].value, a.V_top, &least) != 0)
     fail(argv[0], MLG_FAILED, "no eigenvalues at c_d = %g", a.par[NUMBER_C_D]);

@@ -229,7 +229,7 @@ static int run(int argc, char *argv[])
   if (search == GIVEN && !j.a.word[NUMBER_C_D]) {
     struct libmlg_interval interval;
 
-    if (!take_interval(&j.a, &interval))
+    if (!take_interval(&j.a, j.option[V_LEAST].value, &interval))
       fail(name, MLG_FAILED, "there is no zero-shimmy interval at the gear's own load in whose middle c_d could be; give c_d");
   }
   print_loads(&j, search == WIDEST ? take_widest : search == DAMPED ? take_damped : NULL);

@@ -50,7 +50,7 @@ static int run(int argc, char *argv[])
 
   if (steps < 1 || steps > MOST_SPEEDS)
     refuse(name, option[V_STEP].word ? option[V_STEP].word : a.V_top_word, "expected from 1 to %d steps of V up to V_top", MOST_SPEEDS);
-  if (!a.word[NUMBER_C_D] && !take_interval(&a, &interval))
+  if (!a.word[NUMBER_C_D] && !take_interval(&a, 0.3, &interval))
     fail(name, MLG_FAILED, "there is no zero-shimmy interval in whose middle c_d could be; give c_d");
 
   const int n = read_spreads(file, &a, spread);

@@ -85,20 +85,21 @@ static void take_best(struct arguments *a, double b_least, double b_most)
 
 /* --- the map over k_s and b ---------------------------------------------------------------------- */
 
-static bool take_axis(struct range *r, const char *word, const char *axis)
+/* NAME=FROM:TO:N into the range it is of. */
+static void take_axis(struct arguments *a, const char *word, struct range *k_s, struct range *b)
 {
-  const size_t length = strlen(axis);
-  char rest;
+  const struct range r = take_range(a, word);
 
-  if (strncmp(word, axis, length) != 0 || word[length] != '=')
-    return false;
-  if (r->text)
-    refuse(name, word, "given already, by '%.200s'", r->text);
-  r->text = word;
-  if (sscanf(word + length + 1, "%lf:%lf:%d%c", &r->from, &r->to, &r->n, &rest) != 3 || !(r->from < r->to && isfinite(r->to))
-      || r->from < 0. || r->n < 2 || r->n > MOST_NODES)
-    refuse(name, word, "expected %s=FROM:TO:N, 0 <= FROM < TO, N from 2 to %d", axis, MOST_NODES);
-  return true;
+  if (r.n > MOST_NODES)
+    refuse(name, word, "more than %d values", MOST_NODES);
+  if (a->word[NUMBER_K_S] == word)
+    *k_s = r;
+  else if (a->word[NUMBER_B] == word)
+    *b = r;
+  else
+    refuse(name, word, "expected k_s=FROM:TO:N or b=FROM:TO:N: a map is over these");
+  retake_value(a, word, range_name_length(&r), r.from); /* is it in the range of its name as well? */
+  retake_value(a, word, range_name_length(&r), r.to);
 }
 
 static int map(int argc, char *argv[])
@@ -109,7 +110,9 @@ static int map(int argc, char *argv[])
 
   begin_arguments(&a, argc, argv, option);
   for (int i = 3; i < argc; i++)
-    if (!take_axis(&k_s, argv[i], "k_s") && !take_axis(&b, argv[i], "b"))
+    if (strchr(argv[i], ':'))
+      take_axis(&a, argv[i], &k_s, &b);
+    else
       take_word(&a, argv[i]);
   end_arguments(&a);
   check_speeds(&a, 0.);
@@ -118,10 +121,6 @@ static int map(int argc, char *argv[])
     refuse(name, argv[1], "has no k_s to map");
   if (!k_s.text)
     fail(name, MLG_BAD_INPUT, "expected k_s=FROM:TO:N");
-  if (!(k_s.from > 0.))
-    refuse(name, k_s.text, "expected FROM above 0");
-  if (b.text && !libmlg_uses(a.layout, NUMBER_B))
-    refuse(name, b.text, "layout %s has no b", libmlg_layout_name(a.layout));
   if (!b.text)
     b = (struct range){ .from = a.par[NUMBER_B], .to = a.par[NUMBER_B], .n = 1 };
 
@@ -177,7 +176,7 @@ static int run(int argc, char *argv[])
       refuse(name, option[B_MOST].word, "not above b_least = %g", option[B_LEAST].value);
     take_best(&a, option[B_MOST].word ? option[B_LEAST].value : a.par[NUMBER_B],
               option[B_MOST].word ? option[B_MOST].value : a.par[NUMBER_B]);
-  } else if (!take_interval(&a, &interval) && !a.word[NUMBER_C_D])
+  } else if (!take_interval(&a, option[V_LEAST].value, &interval) && !a.word[NUMBER_C_D])
     fail(name, MLG_FAILED, "there is no zero-shimmy interval in whose middle c_d could be; give c_d");
   print_design(&a, option[V_LEAST].value, (int)option[SAMPLE].value);
   return output_status(name);
