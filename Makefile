@@ -200,7 +200,7 @@ parts_sweeps := load map play hopf
 parts_joints := cycles play planes friction thresholds dampers starts
 parts_doubts := zB_shared R_moves heading I_p tyre
 parts_networks := small
-parts_passive := orders gears
+parts_passive := 180e3 200e3 220e3 gears
 parts_design := loads tolerance map auto
 studies := damping transients layouts certify sections sweeps joints doubts networks passive design
 

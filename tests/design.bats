@@ -120,6 +120,16 @@ corner_words() {
   done <<< $'1.02 1\n1 0.98\n0.99 1.01'
 }
 
+@test "where every c_d is free the best damped one stands for the interval" {
+  local c_d
+  mlg intervals l1 M=500 | sed -n 3p | grep -q '^0,inf,'
+  c_d=$(cell c_d damping l1 best M=500)
+  near "$(mlg elasticities l1 M=500 | sed -n '1s/.*c_d = //p')" "$c_d" 1e-6 c_d
+  near "$(mlg tolerance l1 M=500 sample=0 | sed -n 3p | cut -d, -f3)" "$c_d" 1e-6 c_d
+  echo "PAR = {'M': 500.0 kg}" > light
+  near "$(mlg loads l1 gear=light from=1e4 to=1.1e4 | sed -n 3p | cut -d, -f8)" "$c_d" 1e-6 c_d
+}
+
 @test "a map is the tolerance of its designs" {
   local k_s c_d p n=0
   mlg tolerance l2 map k_s=4.9e5:1e6:4 > nodes
@@ -241,6 +251,8 @@ tolerance l2 map k_s=1:2:500
 tolerance l2 map k_s=1e5:2e5:3 b=0:1:3
 tolerance l2 map k_s=1e5:2e5:3 k_s=1e5:2e5:3
 tolerance l2 map k_s=1e5:2e5:3 c_d=3
+tolerance l2 map e=0.1:0.2:3
+tolerance li1 map b=0:2:3
 probability l1
 probability l1 spread=none
 probability l1 spread=spread spread=spread
@@ -304,7 +316,7 @@ device_words() { # LAYOUT K_S B
       STEP=0.1 oracle_shimmies "$layout" "$mass" c_d="$(awk "BEGIN { print $c_lo * 0.99 }")" $(device_words "$layout" "$k_s" "$b")
       [ -z "$zeta" ] || near "$(mlg damping "$layout" F_z="$F" c_d="$c_d" $(device_words "$layout" "$k_s" "$b") | sed -n 2p | cut -d, -f1)" "$zeta" 1e-4 "zeta at F_z = $F of $layout"
     }
-  done < <(sampled loads.csv 2 1 'where=width>0' where=choice=widest columns=layout,choice,F_z,k_s,b,c_lo,c_hi,width,ratio,c_d,zeta,V)
+  done < <(for choice in widest widest_b; do sampled loads.csv 1 1 'where=width>0' where=choice=$choice columns=layout,choice,F_z,k_s,b,c_lo,c_hi,width,ratio,c_d,zeta,V; done)
 }
 
 @test "random rows of results/tolerance.csv: free inside, shimmy beyond the corner that is named" {

@@ -5,9 +5,9 @@
     networks.py least              for each line TEXT,k_s,b,c_d[,F_z[,V...]] of standard input:
                                    the least damping ratio over these V, m/s, or over 400 of
                                    them from 0.3 to 200 m/s
-    networks.py passive            for each line NUM,DEN,F_z (coefficients, powers of s rising):
+    networks.py passive            for each line NUM,DEN,F_z,K (coefficients, powers of s rising):
                                    the same, where NUM/DEN is passive and has a static stiffness of
-                                   at least k_d, else why not
+                                   at least K, else why not
 
 A network is a graph: elements between nodes, node 0 the strut, node 1 behind k_psi.  Its
 stiffness comes from the balance of torques at the nodes, not from polynomials; the gear's
@@ -141,7 +141,7 @@ def gear(F_z):
 
 
 def passive(line):
-    num, den, F_z = line.split(",")
+    num, den, F_z, least_static = line.split(",")
     P = np.polynomial.Polynomial
     num, den = (P([float(x) for x in text.split()]) for text in (num, den))
     s = 1j * np.geomspace(1e-2, 1e6, 4000)
@@ -150,7 +150,7 @@ def passive(line):
         return "active"
     if len(den.trim().coef) > 1 and (den.roots().real > 0).any():
         return "unstable"
-    if num(0.) / den(0.) < GEAR["k_d"] * (1 - 1e-9):
+    if num(0.) / den(0.) < float(least_static) * (1 - 1e-9):
         return "soft"
     A11, A12, A22, Ls, q, tyre, D1, D2 = gear(float(F_z))
     whole_num, whole_den = num * GEAR["k_psi"], num + den * GEAR["k_psi"]  # with k_psi

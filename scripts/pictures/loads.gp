@@ -46,7 +46,8 @@ do for [ending in "png svg"] {
     if (panel == 1) { set key on bottom left Left reverse } else { unset key }
     set arrow 1 from 200, graph 0 to 200, graph 1 nohead lc rgb "#999999" dt (2,3)
     plot 0 with lines lc rgb "#d62728" lw 1 notitle, \
-         for [k=1:4] rows(word(layouts, k), what[panel]) using (1e-3*$1):7 with lines lw 2 lc rgb colour[k] title (k < 3 ? (k == 1 ? "L1" : "L2") : (k == 3 ? "LI1" : "LI2"))
+         for [k=1:4] rows(word(layouts, k), what[panel]) using (1e-3*$1):7 with lines lw 2 lc rgb colour[k] title (k < 3 ? (k == 1 ? "L1" : "L2") : (k == 3 ? "LI1" : "LI2")), \
+         for [k=3:(panel > 1 ? 4 : 2)] rows(word(layouts, k), what[panel]."_b") using (1e-3*$1):7 with lines lw 1.5 dt 2 lc rgb colour[k] notitle
   }
   unset multiplot
   unset output

@@ -5,13 +5,13 @@
 #   scripts/studies/doubts.sh runs [zB_shared | R_moves | heading | I_p | tyre] | tables | draw
 #
 # Needs:  results/widths.csv, constants/gear.somieski
-# Writes: results/doubts.csv, results/doubts.png and .svg
+# Writes: results/doubts.csv, doubts_tyre.csv; results/doubts.png, doubts_tyre.png, and .svg
 # Expect: L1's interval, 265 N m s/rad wide, is 28000 wide with one zB'' or with I_p = 1 kg m^2,
 #         2960 with R_i differentiated, and gone with the heading's other term; with any of the
 #         first two no k_s of L2 or LI2 is better than a rigid one.
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 
-readonly blends="0 0.2 0.4 0.6 0.8 1" inertias="0 0.5 1 5"
+readonly blends="0 0.1 0.2 0.3 0.4 0.5 0.6 0.7 0.8 0.9 1" inertias="0 0.25 0.5 0.75 1 1.5 2 3 5"
 names=doubt,value,layout,choice,b,k_s,c_lo,c_hi,width,limit,c_d,zeta,V,frequency_hz,shimmy
 
 # Sets k_s and b: those of paper_gear, of the other layouts where they are widest
@@ -20,6 +20,7 @@ design() { # LAYOUT
     li[345]) IFS=, read -r b k_s < <(mlg pick results/widths.csv where=layout="$1" columns=width,b,k_s | sort -t, -k1,1gr | sed -n '1s/^[^,]*,//p') ;;
     *) paper_gear "$1" ;;
   esac
+  k_s=${k_s/1e30/inf}
 }
 
 # The widest interval at one k_s and b: c_lo,c_hi,width, nothing between without one
@@ -33,8 +34,7 @@ damped() { # LAYOUT WORD...
 }
 
 # Rows of a layout with the words that make the doubt: at its design, at the k_s of the widest
-# interval, and for the paper's layouts without the doubt and with all of it at the best damped
-# k_s; all at the b of the design
+# interval, and for the paper's layouts at the best damped k_s; all at the b of the design
 rows() { # DOUBT VALUE LAYOUT WORD...
   local k_s b c_lo c_hi width limit
   design "$3"
@@ -43,8 +43,7 @@ rows() { # DOUBT VALUE LAYOUT WORD...
   [ "$3" != l1 ] || return 0
   IFS=, read -r k_s c_lo c_hi _ _ width limit < <(mlg widest "$3" b="$b" "${words[@]}" | sed -n 3p)
   echo "$head,widest,$b,$k_s,$c_lo,$c_hi,$width,$limit,,,,,"
-  case $3,$2 in l2,[015] | li[12],[015]) ;; *) return 0 ;; esac
-  [ "$1,$2" != I_p,1 ] || return 0
+  case $3 in l2 | li[12]) ;; *) return 0 ;; esac
   echo "$head,damped,$b,$(mlg damping "$3" best b="$b" "${words[@]}" | sed 1d | awk -F, '{ print $1 ",,,,," $2 "," $3 "," $4 "," $5 "," $6 }')"
 }
 
@@ -80,23 +79,58 @@ tyre() {
   done
 }
 
-runs_tyre() { of tyre tyre; }
+# The tyres of the planes: the paper's, of realistic size with a moment that L1 bears, and another gear's
+readonly tyres="paper half somieski"
+words_of() { # TYRE
+  case $1 in half) echo k_lambda=1.19 k_alpha=0.3 ;; somieski) echo gear=constants/gear.somieski ;; esac
+}
+
+# Every fourth point of the Hopf curves, and where they turn
+planes() {
+  local layout tyre
+  for tyre in $tyres; do
+    for layout in l1 l2 li1 li2; do
+      design "$layout"
+      # shellcheck disable=SC2046
+      mlg plane "$layout" k_s="$k_s" b="$b" $(words_of "$tyre") c_least=500 c_most=1e5 |
+        awk -F, -v head="$tyre,$layout" '!/^[1-9]/ || $4 == "HH" { n = 0; next } $4 != "" || n++ % 4 == 0 { print head "," $0 }'
+    done
+  done
+}
+
+runs_tyre() {
+  of tyre tyre
+  of k_lambda along k_lambda 3
+  of planes planes
+}
 
 tables() {
   begin_table results/doubts.csv \
     "# Zero-shimmy intervals and least damping ratios along the doubts of docs/doubts.md: doubt at value (0 the paper;" \
-    "# I_p kg m^2; tyre: constants/gear.somieski), the others 0. choice: paper, at the paper's k_s and b (LI2: k_s is ours; LI3" \
+    "# I_p kg m^2; tyre: constants/gear.somieski; k_lambda 1/rad), the others 0. choice: paper, at the paper's k_s and b (LI2: k_s is ours; LI3" \
     "# to LI5: their widest); widest, at the k_s of the widest interval at that b, limit: what ends its growth; damped, at" \
     "# the best k_s. c_lo to c_hi and width N m s/rad, 0 without an interval; c_d the best, zeta the least over V in 0.3..200" \
-    "# m/s there, at V m/s with frequency_hz Hz. k_s N m/rad (1e30, inf: rigid), b N m s^2/rad. All exact, by mlg intervals," \
+    "# m/s there, at V m/s with frequency_hz Hz. k_s N m/rad (inf: rigid), b N m s^2/rad. All exact, by mlg intervals," \
     "# widest and damping; an empty zeta is no answer."
   {
     echo $names
-    cat build/tables/doubts.{zB_shared,R_moves,heading,I_p,tyre}.csv
+    cat build/tables/doubts.{zB_shared,R_moves,heading,I_p,tyre,k_lambda}.csv
   } > build/tables/doubts.rows.csv
   mlg pick build/tables/doubts.rows.csv head columns=doubt,value,layout,choice,b:.7g,k_s:.7g,c_lo:.8g,c_hi:.8g,width:.7g,limit,c_d:.6g,zeta:.4g,V:.4g,frequency_hz:.5g,shimmy >> "$table.new"
   replace "$table"
+
+  begin_table results/doubts_tyre.csv \
+    "# Hopf curves in the (V, c_d) plane with other tyres, at the paper's k_s and b (docs/doubts.md). tyre: paper; half, k_lambda =" \
+    "# 1.19 and k_alpha = 0.3; somieski, constants/gear.somieski. Exact, every fourth point of \`mlg plane\`; type LP: c_d has an" \
+    "# extremum along the curve. V m/s, c_d N m s/rad, from 500 to 1e5, frequency_hz Hz; curve, kind and shimmy: mlg help plane." \
+    tyre,layout,curve,kind,shimmy,type,V,c_d,frequency_hz
+  cat build/tables/doubts.planes.csv >> "$table.new"
+  end_table
 }
 
+draw() {
+  local figure
+  for figure in doubts doubts_tyre; do draw_picture; done
+}
 
 main doubts "$@"

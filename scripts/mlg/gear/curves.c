@@ -149,7 +149,7 @@ static int run(int argc, char *argv[])
   const int n = libmlg_curves(a.layout, a.par, 0., &plane, &curves);
 
   if (n < 0)
-    fail(argv[0], MLG_FAILED, n == LIBMLG_UNSURE ? "whole curves are not known with I_p; hopf, boundary and intervals take it" : "out of memory");
+    fail(argv[0], MLG_FAILED, n == LIBMLG_UNSURE ? "whole curves are not known with I_p; `mlg plane LAYOUT regions`, hopf, boundary and intervals take it" : "out of memory");
   printf("curve,kind,shimmy,c_d,V,V_from,V_to,DS_start,stop,DS,DSMAX,extrema_V,extrema\n");
   for (int i = 0; i < n; i++) {
     orient(&curves[i]);

@@ -11,7 +11,7 @@
 #include "names.h"
 #include "device_text.h"
 
-enum { MOST_STARTS = 100, SPEEDS = 40 };
+enum { MOST_STARTS = 300, SPEEDS = 40 };
 
 /* --- search: the BFGS method with a weak line search, and repeated starts -------------------------------- */
 
@@ -154,6 +154,31 @@ static void with_one_more(int m, const double x[], double y[], struct cma_random
     y[to++] = i == m ? 0.5 * cma_normal(random) : x[from + i];
 }
 
+/* A number from least to most, its logarithm drawn evenly, as a variable of positive_real.h. */
+static double drawn(struct cma_random *random, double least, double most)
+{
+  const double size = least * pow(most / least, cma_uniform(random));
+
+  return asinh(size / PASSIVE_UNIT) * (cma_uniform(random) < 0.5 ? -1. : 1.);
+}
+
+/* Oscillators beside a damper: J couples states in pairs, each at some frequency, and R is nearly
+ * diagonal.  In units of k_psi and 100 rad/s. */
+static void draw_oscillators(int m, double y[], struct cma_random *random)
+{
+  int to = 0;
+
+  y[to++] = 0.1 * cma_normal(random);
+  for (int i = 0; i <= m; i++)
+    for (int k = 0; k <= i; k++)
+      y[to++] = i == k ? drawn(random, 0.01, 0.5) : 0.3 * cma_normal(random);
+  for (int i = 0; i < m; i++)
+    for (int k = 0; k < i; k++)
+      y[to++] = i % 2 == 1 && k == i - 1 ? drawn(random, 0.2, 4.) : 0.3 * cma_normal(random);
+  for (int i = 0; i < m; i++)
+    y[to++] = drawn(random, 0.03, 2.);
+}
+
 struct best { double zeta, x[MOST_VARIABLES]; int met, starts, asked; };
 
 /* The least ratio at a place of cma.h's box, exactly. */
@@ -186,8 +211,25 @@ static void polish(struct passive *p, int n, struct best *best)
   }
 }
 
-/* From the best of one order less, from random places, and from the best so far, changed in part:
- * there are many local maxima. */
+/* Where a start begins: from the best of one order less, from oscillators, from random places, and
+ * from the best so far with some of its variables drawn anew, for there are many local maxima. */
+static void draw(const struct passive *p, int start, const double before[], const struct best *best, double y[],
+                 struct cma_random *random)
+{
+  const int n = passive_variables(p->m);
+
+  if (start > 3 && start % 2)
+    for (int i = 0; i < n; i++)
+      y[i] = cma_uniform(random) < 0.35 ? 11. * cma_uniform(random) - 5.5 : best->x[i];
+  else if (before && start % 4 == 0)
+    with_one_more(p->m - 1, before, y, random);
+  else if (start % 4 == 2)
+    draw_oscillators(p->m, y, random);
+  else
+    for (int i = 0; i < n; i++)
+      y[i] = i == 0 ? 0.3 * cma_normal(random) : 11. * cma_uniform(random) - 5.5;
+}
+
 static void search(struct passive *p, int starts, const double before[], struct best *best)
 {
   const int n = passive_variables(p->m);
@@ -197,18 +239,11 @@ static void search(struct passive *p, int starts, const double before[], struct 
   for (int start = 0; start < starts; start++) {
     struct cma_random random = { 104729ULL * (unsigned)start + 17ULL * (unsigned)p->m + 1ULL };
     double y[MOST_VARIABLES] = { 0. };
-    struct libmlg_ratio drawn;
+    struct libmlg_ratio at;
 
-    for (int draw = 0; draw < 100; draw++) {
-      if (start > 3 && start % 2) /* the best so far with some of its variables drawn anew */
-        for (int i = 0; i < n; i++)
-          y[i] = cma_uniform(&random) < 0.35 ? 11. * cma_uniform(&random) - 5.5 : best->x[i];
-      else if (before && start % 4 == 0)
-        with_one_more(p->m - 1, before, y, &random);
-      else
-        for (int i = 0; i < n; i++)
-          y[i] = i == 0 ? 0.3 * cma_normal(&random) : 11. * cma_uniform(&random) - 5.5;
-      if (passive_least(p, y, &drawn) == 0 && drawn.zeta > -0.5)
+    for (int again = 0; again < 100; again++) {
+      draw(p, start, before, best, y, &random);
+      if (passive_least(p, y, &at) == 0 && at.zeta > -0.5)
         break;
     }
     result[start] = climb(p, n, y, 60 + 10 * n, &best->asked);
@@ -220,6 +255,13 @@ static void search(struct passive *p, int starts, const double before[], struct 
   polish(p, n, best);
   for (int start = 0; start < starts; start++)
     best->met += result[start] >= best->zeta - 0.01 * fabs(best->zeta);
+}
+
+/* How many starts of that order: they are cheap at low orders, which have narrow maxima, and dear
+ * at high ones, which begin from the best of the order before. */
+static int starts_of(int order, int starts)
+{
+  return order <= 2 ? 3 * starts : order <= 4 ? starts : (starts + 1) / 2;
 }
 
 static void print_row(struct passive *p, const struct best *best)
@@ -250,10 +292,11 @@ static void print_row(struct passive *p, const struct best *best)
 
 static int run(int argc, char *argv[])
 {
-  enum { ORDER, STARTS, V_LEAST };
+  enum { ORDER, STARTS, K_LEAST, V_LEAST };
   struct option option[] = {
     [ORDER] = { "order", "", 1., MOST_M + 1., MOST_M + 1., NULL },
-    [STARTS] = { "starts", "", 1., MOST_STARTS, 20., NULL },
+    [STARTS] = { "starts", "", 1., MOST_STARTS / 3., 16., NULL },
+    [K_LEAST] = { "K_least", "N m/rad", 0., 1e9, NAN, NULL },
     [V_LEAST] = { "V_least", "m/s", 1e-3, 1e3, 0.3, NULL },
     { .name = NULL },
   };
@@ -272,6 +315,7 @@ static int run(int argc, char *argv[])
   if (!(option[V_LEAST].value < a.V_top))
     fail(argv[0], MLG_BAD_INPUT, "V_least = %g m/s is not below V_top = %g m/s", option[V_LEAST].value, a.V_top);
   memcpy(p.par, a.par, sizeof p.par);
+  p.K_least = option[K_LEAST].word ? option[K_LEAST].value : p.par[NUMBER_K_D];
   p.V_least = option[V_LEAST].value;
   p.V_top = a.V_top;
   printf("# V m/s, K N m/rad, Z_re, Z_im N m/rad at 17.5 Hz; num, den of Z, powers of s rising, SI\n"
@@ -280,7 +324,7 @@ static int run(int argc, char *argv[])
     p.layout = device_rational(p.m);
     if (p.layout == LIBMLG_NONE)
       fail(argv[0], MLG_FAILED, "out of memory");
-    search(&p, (int)option[STARTS].value, p.m > 0 ? before : NULL, &best);
+    search(&p, starts_of(p.m + 1, (int)option[STARTS].value), p.m > 0 ? before : NULL, &best);
     print_row(&p, &best);
     memcpy(before, best.x, sizeof before);
   }
@@ -289,12 +333,13 @@ static int run(int argc, char *argv[])
 
 const struct command command_passive = {
   .name = "passive",
-  .usage = "[NAME=VALUE ...] [order=5] [starts=20] [V_least=0.3]",
+  .usage = "[NAME=VALUE ...] [order=6] [starts=16] [K_least=k_d] [V_least=0.3]",
   .summary = "the largest damping ratio of any passive device",
   .details =
-    "Of all devices behind k_psi that give no energy and have a static stiffness of at least k_d,\n"
+    "Of all devices behind k_psi that give no energy and have a static stiffness of at least K_least,\n"
     "of order 1, 2, ... to `order`: every positive-real impedance of that order, as a spring beside\n"
-    "a port-Hamiltonian system, by the BFGS method (scripts/mlg/gear/passive.c).\n"
+    "a port-Hamiltonian system, by the BFGS method (scripts/mlg/gear/passive.c) from so many\n"
+    "starts, three times as many for orders 1 and 2, half as many for 5 and 6.  K_least=0: any device.\n"
     "CSV, a row for each order, printed as it is found:\n"
     "  zeta          the least damping ratio over V_least < V < V_top, at its largest\n"
     "  V, frequency_hz, shimmy  of the mode that has it\n"

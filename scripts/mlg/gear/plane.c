@@ -101,7 +101,7 @@ static void print_curves(const struct arguments *a, const struct libmlg_plane *p
   const int n = libmlg_curves(a->layout, a->par, 0., plane, &curve);
 
   if (n < 0)
-    fail(a->command, MLG_FAILED, n == LIBMLG_UNSURE ? "whole curves are not known with I_p; hopf, boundary and intervals take it" : "out of memory");
+    fail(a->command, MLG_FAILED, n == LIBMLG_UNSURE ? "whole curves are not known with I_p; `mlg plane LAYOUT regions`, hopf, boundary and intervals take it" : "out of memory");
   printf("# Hopf curves: V m/s, c_d N m s/rad, frequency Hz; plane %.6g,%.6g,%.6g,%.6g\n"
          "curve,kind,shimmy,type,V,c_d,frequency_hz\n", plane->V_least, plane->V_top, plane->c_least, plane->c_most);
   for (int i = 0; i < n; i++) {
@@ -221,6 +221,7 @@ const struct command command_plane = {
     "  type          LP: an extremum of c_d along it; HH (curve 0): two oscillations at once, to\n"
     "                rounding\n"
     "  V, c_d, frequency_hz   m/s, N m s/rad, Hz\n"
+    "Not with I_p, where more than two c_d belong to a frequency; `regions` takes it.\n"
     "\n"
     "regions: strips of the plane instead, 300 of equal ratio in c_d, each cut where it crosses a\n"
     "Hopf curve at the c_d of its middle:\n"

@@ -19,7 +19,7 @@ int passive_variables(int m)
  * is of the order of 0.01, y = 5 of 1.5. */
 static double number(double y)
 {
-  return 0.02 * sinh(y);
+  return PASSIVE_UNIT * sinh(y);
 }
 
 struct realisation { double A[MOST_M][MOST_M], in[MOST_M], out[MOST_M], D; };
@@ -86,7 +86,7 @@ static void transfer(int m, const struct realisation *g, double num[MOST_M + 1],
   }
 }
 
-/* y[0]: K - k_d = k_psi y[0]^2.  K + s (D + out' (s - A)^-1 in), but for D, which is c_d. */
+/* y[0]: K - K_least = k_psi y[0]^2.  K + s (D + out' (s - A)^-1 in), but for D, which is c_d. */
 void passive_set(struct passive *p, const double x[])
 {
   const double omega = 100., unit = p->par[NUMBER_K_PSI];
@@ -94,7 +94,7 @@ void passive_set(struct passive *p, const double x[])
   double num[MOST_M + 1], den[MOST_M + 1], scale = 1.;
   struct network Z = { .num = { { 0. } } };
 
-  p->K = p->par[NUMBER_K_D] + unit * x[0] * x[0];
+  p->K = p->K_least + unit * x[0] * x[0];
   transfer(p->m, &g, num, den);
   for (int i = 0; i <= p->m; i++, scale /= omega) {
     Z.den.coefficient[i] = den[i] * scale;

@@ -2,9 +2,9 @@
  *
  * What a device of springs, dampers, inerters and levers can do at its two ends, and no more, is
  * to have a positive-real impedance Z(s)/s, torque over rate of twist (Brune 1931; Smith 2002).
- * A static stiffness of at least k_d is a pole at 0 of at least that residue; it may be taken
- * out, and what is left is positive real: the device is a spring K >= k_d beside any impedance
- * G(s).  G without pole at infinity, of m states, is
+ * A static stiffness of at least K_least is a pole at 0 of at least that residue; it may be taken
+ * out, and what is left is positive real: the device is a spring K >= K_least beside any
+ * impedance G(s).  G without pole at infinity, of m states, is
  *
  *   x' = (J - R) x + (B - P) u,   T = (B + P)' x + D u,   J = -J',   | R  P |
  *                                                                   | P' D | >= 0
@@ -12,7 +12,7 @@
  * and every G of this kind is positive real, every positive-real one of that kind (the energy
  * x'x/2 rises by at most T u; Willems 1972).  With K/s the device has order n = m + 1.  The
  * matrix above is L L', L triangular, so that all entries are free: no constraint is left but
- * K >= k_d.  A pole at infinity, an inerter beside all, is a limit of these.
+ * K >= K_least.  A pole at infinity, an inerter beside all, is a limit of these.
  */
 #ifndef MLG_POSITIVE_REAL_H
 #define MLG_POSITIVE_REAL_H
@@ -21,13 +21,15 @@
 
 #include "libmlg.h"
 
-enum { MOST_M = 4, MOST_VARIABLES = (MOST_M + 1) * (MOST_M + 2) / 2 + MOST_M * (MOST_M + 1) / 2 + 1 };
+enum { MOST_M = 5, MOST_VARIABLES = (MOST_M + 1) * (MOST_M + 2) / 2 + MOST_M * (MOST_M + 1) / 2 + 1 };
 enum { MOST_SPEEDS = 128 };
+
+#define PASSIVE_UNIT 0.02 /* below it the variables are even, above it logarithmic */
 
 /* A gear, and the device that was set last: layout is that of device_rational(m), its c_d in par[]. */
 struct passive {
   int layout, m;
-  double par[LIBMLG_MOST_PARAMETERS], V_least, V_top, K;
+  double par[LIBMLG_MOST_PARAMETERS], V_least, V_top, K, K_least;
   double softness, V[MOST_SPEEDS]; /* of passive_value */
   int speeds;
 };
