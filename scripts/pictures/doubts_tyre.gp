@@ -4,7 +4,7 @@ curves(tyre, layout) = pick(sprintf("results/doubts_tyre.csv where=tyre=%s where
 layouts = "l1 l2 li1 li2"
 array title[4] = ["(a) L1", "(b) L2, k_s = 7.86·10^5", "(c) LI1, k_s = 6.38·10^5, b = 140", "(d) LI2, k_s = 2.48·10^6, b = 140"]
 tyres = "paper half somieski"
-array name[3] = ["the paper's tyre", "k_λ = 1.19, k_α = 0.3 m", "Somieski's: k_λ = 2.86, k_α = 2 m"]
+array name[3] = ["the paper's tyre", "k_λ 1.19, k_α 0.3 m", "Somieski's tyre"]
 array colour[3] = ["#000000", "#2a9d5c", "#d62728"]
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size 1500,520 font "DejaVu Sans,13" } \
@@ -17,7 +17,7 @@ do for [ending in "png svg"] {
     set title title[i]
     set xlabel "V (m/s)"
     set ylabel i == 1 ? "c_d (kN m s/rad)" : "" offset 0.5,0
-    if (i == 1) { set key top right samplen 1.5 opaque } else { unset key }
+    if (i == 3) { set key at graph 0.99,0.62 right samplen 1.5 } else { unset key }
     plot for [k=1:3] curves(word(tyres, k), word(layouts, i)) with lines lw 2 lc rgb colour[k] title name[k]
   }
   unset multiplot; unset logscale y
