@@ -109,8 +109,8 @@ runs_tolerance() {
 }
 
 runs_map() {
-  of map.li1 li1 prefixed li1 tolerance li1 map k_s=1e5:1e6:17 b=0:160:17
-  of map.li2 li2 prefixed li2 tolerance li2 map k_s=3e5:3e6:17 b=0:270:19
+  of map.li1 li1 prefixed li1 tolerance li1 map k_s=1e5:1e6:13 b=0:160:9
+  of map.li2 li2 prefixed li2 tolerance li2 map k_s=3e5:3e6:13 b=0:270:10
 }
 
 # design LAYOUT DESIGN: sets k_s, b and c_d as the table of tolerances has them
