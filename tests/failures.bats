@@ -243,7 +243,7 @@ EOF
 
 @test "a file of parameters that is none" {
   refuses 'none: No such file*' auto_run a l1.straight gear=none --
-  refuses "constants/c.l1.hopf: expected one constant, PAR*" auto_run a l1.straight gear=constants/c.l1.hopf --
+  refuses "constants/c.l1.hopf:*: expected one constant, PAR*" auto_run a l1.straight gear=constants/c.l1.hopf --
   sed 's/phi/psi/' constants/gear.printed >build/tmp.gear
   refuses "build/tmp.gear:*: PAR: 'psi' is not a parameter*" auto_run a l1.straight gear=build/tmp.gear --
 }

@@ -220,6 +220,11 @@ static int is_lasting(enum libmlg_motion_kind kind)
   return kind == LIBMLG_QUASI_PERIODIC || kind == LIBMLG_IRREGULAR;
 }
 
+static int steps_are_used_up(const struct libmlg_run *run)
+{
+  return run->most_steps > 0 && run->steps >= run->most_steps;
+}
+
 /* Newton's method from where the run is, with a period of so many maxima (0: none is seen). */
 static int try_orbit(const struct poincare *m, int maxima, double before, struct libmlg_cycle *c)
 {
@@ -229,7 +234,11 @@ static int try_orbit(const struct poincare *m, int maxima, double before, struct
     c->why = "the oscillation is not periodic yet, or not at all";
     return 0;
   }
-  return newton(m, before, c);
+  if (newton(m, before, c))
+    return 1;
+  if (!steps_are_used_up(m->run)) /* where Newton's method went astray the integration may well have failed */
+    m->run->error[0] = '\0';
+  return 0;
 }
 
 /* The orbit that it settles on, watching it where need be. */
