@@ -116,6 +116,8 @@ study() { scripts/study.sh "$@" > study.log 2>&1 || { cat study.log; return 1; }
   says empty "every c_d is free of shimmy"
   study heavy M=1e6 layouts=l1,li2 exact
   says heavy "Divergence\*\* with L1 LI2"
+  says heavy "It \*\*diverges\*\*"
+  says heavy "largest load is LI2 .* up to a load of 204.5 kN, 2 %" # that of the paper's gear
   study fast J_xi=22.2222222222 J_eta=27.7777777778 J_zeta=11.1111111111 m_D=55.5555555556 c_psi=100 c_delta=100 \
     g=88.29 M=2209.706875 k_s=7.87e5 layouts=l2 exact
   says fast "2 separate intervals.*from 1271 to 2920 .*from 3203 to 4682"
@@ -190,7 +192,7 @@ END
   says nose "Nearest to it.* tenfold in"
   # a Hopf curve that is of delta below and of psi above has both names
   [ "$(sed -n 's/^2,open,\([a-z]*\),.*/\1/p' build/studies/nose/plane.l1.csv | uniq | xargs)" = "delta psi" ]
-  says nose "largest load is L1 with\|largest load is L[12].* free of shimmy up to a load of\|A lower load.* does not help"
+  says nose "largest load is L1 with\|largest load is L[12].* free of shimmy up to a load of\|At no lower load that was looked at"
   near "$(awk -F, '$1 == "F_z" { print $2 }' build/studies/nose/facts.csv)" 160e3 1e-6
   near "$(awk -F, '$4 == "LP" { print $6 }' build/studies/nose/plane.l1.csv | sort -g | head -n 1)" 1562.132 1e-6
   for c_d in 1e3 1562 1570 1e4 7e4 1e5; do

@@ -12,7 +12,11 @@ compare() { # NAME NAME
   alone "study.$first.$second"
   layouts=$(cut -d , -f 1 "build/studies/$first/designs.csv" "build/studies/$second/designs.csv" | grep -v layout | awk '!seen[$1]++')
   {
-    printf '# %s and %s side by side\n\n## Gears\n' "$first" "$second"
+    printf '# %s and %s side by side\n\n## What to build\n\n' "$first" "$second"
+    for name; do
+      printf '**%s.** %s\n\n' "$name" "$(sed -n '/^## What to build/,/^## /{ /^\*\*/p; }' "build/studies/$name/report.md" | sed '/^\*\*How/,$d; /^\*\*Why/d' | paste -sd ' ')"
+    done
+    printf '## Gears\n'
     side_by_side parameters.csv 1 "$first" "$second" 'parameter,unit' 4
     side_by_side facts.csv 1 "$first" "$second" 'fact,unit' 3
     printf '\n## Designs\n'
@@ -25,9 +29,9 @@ compare() { # NAME NAME
       printf '\n## %s\n\n' "$(name_of "$layout")"
       for picture in plane regions; do
         for name; do
-          [ ! -s "build/studies/$name/$picture.$layout.svg" ] || printf '![%s of %s](%s/%s.%s.svg) ' "$picture" "$name" "$name" "$picture" "$layout"
+          [ ! -s "build/studies/$name/$picture.$layout.svg" ] ||
+            printf '**%s**, %s:\n\n![%s of %s](%s/%s.%s.svg)\n\n' "$name" "$([ "$picture" = plane ] && echo 'what grows over V and c_d' || echo 'c_d free of shimmy over k_s')" "$picture" "$name" "$name" "$picture" "$layout"
         done
-        printf '\n\n'
       done
     done
   } > "build/studies/$first.$second.md"
