@@ -2,18 +2,18 @@
 # Every small network: its best designs, ranked (docs/networks.md)
 #
 #   scripts/studies/networks.sh      all of it
-#   scripts/studies/networks.sh runs [small] | tables | draw
+#   scripts/studies/networks.sh runs [small | robust | larger] | tables | draw
 #
-# A search for each network, ten to twenty seconds; one that was interrupted goes on with the
-# networks that are left.
+# Two searches for each network, of damping and intervals and of load and tolerance, up to a
+# minute each; what was interrupted goes on with the networks that are left.
 #
 # Writes: results/networks.csv, results/networks.svg; build/tables/networks.*.csv
 # Expect: 35 networks; width 264.6269 of L1, 10226.87 of L2, 11244.367 of LI1 at b = 140.4708,
 #         and 22354 of LI2 at b = 300, which is the widest of all.
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 
-search=(models/{mlg,network,linearised}.h models/libmlg/{best_ratio,boundary_points,cma,crossing,crossing_extrema,crossing_roots,device_layout,device_text,widest}.c
-  scripts/mlg/gear/{explore,networks}.c)
+search=(models/{mlg,network,linearised}.h models/libmlg/{boundary_points,cma,crossing,crossing_extrema,crossing_roots,device_layout,device_text}.c
+  scripts/mlg/gear/{explore,explorer}.c)
 
 # NUMBER NETWORK PATH LAYOUT of each, as mlg networks has them
 each_network() {
@@ -23,7 +23,16 @@ each_network() {
 runs_small() {
   local number network rest
   while read -r number network rest; do
-    made "networks.$number" "${search[@]}" -- mlg explore "$network" starts=6
+    made "networks.$number" "${search[@]}" models/libmlg/{best_ratio,widest}.c scripts/mlg/gear/explore_interval.c -- \
+      mlg explore "$network" zeta width ratio starts=6
+  done < <(each_network)
+}
+
+runs_robust() {
+  local number network rest
+  while read -r number network rest; do
+    made "networks.robust.$number" "${search[@]}" models/libmlg/{free,tolerance}.c scripts/mlg/gear/explore_robust.c -- \
+      mlg explore "$network" load tolerance starts=6
   done < <(each_network)
 }
 

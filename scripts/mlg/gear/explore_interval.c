@@ -1,0 +1,244 @@
+/* explore_interval.c - the widest zero-shimmy interval of c_d, or that of the largest hi/lo
+ *
+ * Of a network of k_s and b alone exactly over k_s, so that b is left to search; with further
+ * elements by repeated starts over all of them but c_d.
+ */
+#include "explorer.h"
+
+#include <math.h>
+#include <string.h>
+
+/* --- over k_s, and what is left of it by cma.h ---------------------------------------------------- */
+
+struct widest { struct explorer *e; int of_ratio; double b; struct libmlg_interval interval; double k_s, size; };
+
+/* At the k_s of par[]. */
+static void take_interval(struct widest *w)
+{
+  struct libmlg_interval all[LIBMLG_MOST_POINTS];
+  const int n = libmlg_intervals(w->e->layout, w->e->par, 0., 0., w->e->V_top, all, LIBMLG_MOST_POINTS);
+
+  for (int i = 0; i < n; i++) {
+    const double lo = all[i].lo.c_d, hi = all[i].hi.c_d, size = w->of_ratio ? hi / lo : hi - lo;
+
+    if (size > w->size) {
+      w->size = size;
+      w->interval = all[i];
+      w->k_s = w->e->par[NUMBER_K_S];
+    }
+  }
+}
+
+static double at_k_s(const double x[], void *context)
+{
+  struct widest *const w = context;
+  struct widest here = *w;
+
+  here.size = -INFINITY;
+  w->e->par[NUMBER_K_S] = explore_spring(w->e, x[0]);
+  take_interval(&here);
+  if (here.size > w->size)
+    *w = here;
+  return here.size;
+}
+
+static double widest_at(struct widest *w, double b)
+{
+  const struct widest none = { .e = w->e, .of_ratio = w->of_ratio, .b = b, .size = -INFINITY };
+  struct explorer *const e = w->e;
+  struct libmlg_widest best;
+  int status;
+
+  *w = none;
+  e->par[NUMBER_B] = e->has_b ? b : 0.;
+  e->par[NUMBER_K_S] = MLG_RIGID;
+  status = (w->of_ratio ? libmlg_largest_ratio : libmlg_widest)(e->layout, e->par, 0., 0., e->V_top, &best);
+  if (status != 0 || best.limit == LIBMLG_NO_INTERVAL)
+    return w->size;
+  if (!e->has_k_s || (best.k_s >= e->k_least && best.k_s <= 1e9)) {
+    w->interval = best.interval;
+    w->k_s = best.k_s;
+    w->size = w->of_ratio ? best.interval.hi.c_d / best.interval.lo.c_d : best.width;
+    return w->size;
+  }
+  /* beyond the springs that are looked at: the best of these */
+  for (int start = 0; start < 4; start++) {
+    struct cma_random random = { (unsigned)start };
+    double x[1] = { start / 3. }, value;
+
+    explore_climb(at_k_s, w, 1, x, 0.1, &random, 300, &value);
+  }
+  return w->size;
+}
+
+/* Golden section over b, to this part of its range. */
+static struct widest between(struct widest w, double left, double right, double part_left, int *asked)
+{
+  const double part = 0.6180339887498949;
+  struct widest a = w, b = w, best = w;
+
+  widest_at(&a, right - part * (right - left));
+  widest_at(&b, left + part * (right - left));
+  for (*asked += 2; right - left > part_left * w.e->b_most; ++*asked) {
+    const struct widest *const better = a.size >= b.size ? &a : &b;
+
+    if (better->size > best.size)
+      best = *better;
+    if (a.size >= b.size) {
+      right = b.b;
+      b = a;
+      widest_at(&a, right - part * (right - left));
+    } else {
+      left = a.b;
+      a = b;
+      widest_at(&b, left + part * (right - left));
+    }
+  }
+  return best;
+}
+
+/* The same at a place of k_s and b, for a narrow interval that the nodes over k_s may miss. */
+static double at_place(const double x[], void *context)
+{
+  struct widest *const w = context;
+  struct widest here = *w;
+
+  here.size = -INFINITY;
+  explore_set(w->e, x);
+  here.b = w->e->par[NUMBER_B];
+  take_interval(&here);
+  if (here.size > w->size)
+    *w = here;
+  return here.size;
+}
+
+/* From a design that has an interval, by the evolution strategy. */
+static void beside(struct widest *best, const double given[])
+{
+  const int n = best->e->has_k_s + best->e->has_b;
+  struct cma_random random = { 3 };
+  double x[EXPLORE_VARIABLES], value;
+
+  memcpy(x, given, sizeof x);
+  for (int k = 0; k < 3 && n > 0; k++)
+    explore_climb(at_place, best, n, x, (double[]){ 1e-3, 1e-2, 1e-4 }[k], &random, 200 * n, &value);
+}
+
+/* --- over b --------------------------------------------------------------------------------------- */
+
+/* The best of so many stretches of b, each with those beside it, to result[]. */
+static struct widest over_b(struct explorer *e, const struct widest *none, int stretches, double result[], int *asked)
+{
+  const double step = e->b_most / stretches;
+  struct widest best = *none;
+
+  for (int i = 0; i < stretches; i++) {
+    const struct widest here = between(*none, fmax(0., (i - 1) * step), fmin(e->b_most, (i + 2) * step), 1e-3, asked);
+
+    result[i] = here.size;
+    if (here.size > best.size)
+      best = here;
+  }
+  return best;
+}
+
+/* Closely about the best so far, and at both ends of the range. */
+static void refine_b(struct widest *best, int *asked)
+{
+  const double most = best->e->b_most;
+  struct widest here = between(*best, fmax(0., best->b - 0.01 * most), fmin(most, best->b + 0.01 * most), 1e-8, asked);
+
+  if (here.size > best->size)
+    *best = here;
+  for (int end = 0; end < 2; end++) {
+    widest_at(&here, end ? most : 0.);
+    if (here.size > best->size)
+      *best = here;
+  }
+  *asked += 2;
+}
+
+/* --- over further elements -------------------------------------------------------------------------- */
+
+static double best_ratio(struct explorer *e)
+{
+  struct libmlg_ratio best;
+
+  return libmlg_best_c_d(e->layout, e->par, e->V_least, e->V_top, &best) == 0 ? best.zeta : -INFINITY;
+}
+
+/* The size of the interval at a place, or where there is none its best damping ratio, below 0. */
+static double size_or_ratio(const double x[], void *explorer)
+{
+  struct explorer *const e = explorer;
+  struct widest here = { .e = e, .of_ratio = e->of_ratio, .size = -INFINITY };
+
+  explore_set(e, x);
+  take_interval(&here);
+  return here.size > 0. ? here.size : fmin(best_ratio(e), 0.);
+}
+
+static struct widest over_others(struct explorer *e, int starts, const double given[], double result[], double at[], int *asked)
+{
+  const int n = explore_variables(e) - 1;
+  struct widest best = { .e = e, .of_ratio = e->of_ratio, .size = -INFINITY };
+  struct cma_random random = { 7 };
+
+  for (int start = 0; start < starts; start++) {
+    double x[EXPLORE_VARIABLES] = { 0. }, place[EXPLORE_VARIABLES] = { 0. };
+
+    result[start] = -INFINITY;
+    for (int k = 0; k < (start == 0 && given ? 1 : 12); k++) {
+      for (int i = 0; i < n; i++)
+        place[i] = start == 0 && given ? given[i] : cma_uniform(&random);
+      const double value = size_or_ratio(place, e);
+
+      ++*asked;
+      if (value > result[start]) {
+        result[start] = value;
+        memcpy(x, place, sizeof place);
+      }
+    }
+    for (int k = 0; k < 4 && result[start] < INFINITY; k++)
+      *asked += explore_climb(size_or_ratio, e, n, x, (double[]){ 0.15, 0.02, 1e-3, 1e-5 }[k], &random,
+                              n * (k == 0 ? 150 : 60), &result[start]);
+    if (result[start] > best.size && result[start] > 0.) {
+      explore_set(e, x);
+      take_interval(&best);
+      best.b = e->par[NUMBER_B];
+      memcpy(at, x, sizeof x);
+    }
+  }
+  return best;
+}
+
+void explore_interval(struct explorer *e, int of_ratio, int starts, const double given[], struct found *found)
+{
+  const struct widest none = { .e = e, .of_ratio = of_ratio, .size = -INFINITY };
+  struct widest best = none;
+  double result[EXPLORE_STARTS];
+
+  *found = (struct found){ .starts = e->has_b || e->others > 0 ? starts : 1 };
+  e->of_ratio = of_ratio;
+  if (e->others > 0) {
+    best = over_others(e, starts, given, result, found->x, &found->asked);
+  } else if (e->has_b) {
+    best = over_b(e, &none, starts, result, &found->asked);
+  } else {
+    result[0] = widest_at(&best, 0.);
+    found->asked++;
+  }
+  if (given && e->others == 0)
+    beside(&best, given);
+  if (e->has_b && e->others == 0 && best.size > -INFINITY)
+    refine_b(&best, &found->asked);
+  if (e->others > 0)
+    explore_set(e, found->x);
+  explore_take(e, found);
+  found->value = best.size;
+  found->k_s = best.k_s;
+  found->b = best.b;
+  found->lo = best.interval.lo.c_d;
+  found->hi = best.interval.hi.c_d;
+  found->met = explore_met(result, found->starts, best.size, 1e-2);
+}

@@ -1,0 +1,83 @@
+/* explorer.h - the best design of a layout or network, by a global search (explorer.c) */
+#ifndef MLG_EXPLORER_H
+#define MLG_EXPLORER_H
+
+#include "arguments.h"
+#include "cma.h"
+#include "device_text.h"
+
+enum { EXPLORE_OTHERS = 4, EXPLORE_VARIABLES = EXPLORE_OTHERS + 3, EXPLORE_STARTS = 100, EXPLORE_CORNERS = 256 };
+
+/* Corners of the box of tolerances (libmlg_box_of) that are asked, of many the few that fail first. */
+struct corners { struct libmlg_box box; unsigned corner[EXPLORE_CORNERS]; int n; };
+
+/* A place is x[] in the unit box: k_s, b, other elements, each if there is one, then c_d. */
+struct explorer {
+  int layout, has_k_s, has_b, others;
+  double par[LIBMLG_MOST_PARAMETERS], k_least, b_most, V_least, V_top;
+  struct part *other[EXPLORE_OTHERS];
+  struct corners corners; /* of explore_tolerance() */
+  double load, load_here; /* of explore_load(): that all designs have to bear, and the last one found, N */
+  int of_ratio;           /* of explore_interval(): hi/lo, not hi - lo */
+};
+
+/* The best design, and how often it was met. */
+struct found {
+  double value, k_s, b, lo, hi; /* c_d: lo = hi, but of an interval */
+  double other[EXPLORE_OTHERS], x[EXPLORE_VARIABLES];
+  int met, starts, asked;
+};
+
+/* What is to be largest: at a place, and at the best c_d of a place, whose c_d is left in
+ * par[]; how near two results are, as a part of them, that count as one. */
+struct goal {
+  double (*rough)(const double x[], void *explorer);
+  double (*exact)(const double x[], void *explorer); /* NULL: none */
+  double same;
+};
+
+/* All values but those that are searched stay as in par[]. */
+void explore_begin(struct explorer *e, int layout, const double par[], double b_most, double V_least, double V_top);
+
+/* Lets the element NAME=VALUE of the network be searched too; LIBMLG_NONE: there is none. */
+int explore_free(struct explorer *e, const char *name);
+
+/* How many variables a place has. */
+int explore_variables(const struct explorer *e);
+
+/* The place of a design; of other elements, which have none, x stays. */
+void explore_place(const struct explorer *e, double k_s, double b, double c_d, double x[]);
+
+/* The values of a place into par[]: k_s, b and others, and c_d too. */
+void explore_set(struct explorer *e, const double x[]);
+void explore_set_all(struct explorer *e, const double x[]);
+
+/* k_s from 0 to 1 as those of a place. */
+double explore_spring(const struct explorer *e, double x);
+
+/* cma_largest(), or the end of the program with a line. */
+int explore_climb(double f(const double x[], void *context), void *context, int n, double x[], double sigma,
+                  struct cma_random *random, int most, double *best);
+
+/* The best of so many starts, whose values become result[]; the first from `given`, unless NULL. */
+void explore_starts(struct explorer *e, const struct goal *goal, int starts, const double given[], double result[],
+                    struct found *found);
+
+/* The k_s, b, other elements and c_d that are set, as those found. */
+void explore_take(const struct explorer *e, struct found *found);
+
+/* How many of the results come to the best. */
+int explore_met(const double result[], int n, double best, double same);
+
+/* The least damping ratio at a place. */
+double explore_ratio(const double x[], void *explorer);
+
+/* The largest least damping ratio; the widest zero-shimmy interval, or that of the largest
+ * hi/lo; the largest load, N; the largest tolerance, per cent.  given: a place to begin with,
+ * or NULL.  The value is -INFINITY, or 0 of a load or tolerance, where there is none. */
+void explore_zeta(struct explorer *e, int starts, const double given[], struct found *found);
+void explore_interval(struct explorer *e, int of_ratio, int starts, const double given[], struct found *found);
+void explore_load(struct explorer *e, int starts, const double given[], struct found *found);
+void explore_tolerance(struct explorer *e, int starts, const double given[], struct found *found);
+
+#endif
