@@ -13,7 +13,7 @@
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 
 search=(models/{mlg,network,linearised}.h models/libmlg/{boundary_points,cma,crossing,crossing_extrema,crossing_roots,device_layout,device_text}.c
-  scripts/mlg/gear/{explore,explorer}.c)
+  scripts/mlg/gear/explorer.c)
 
 # NUMBER NETWORK PATH LAYOUT of each, as mlg networks has them
 each_network() {
@@ -34,6 +34,21 @@ runs_robust() {
     made "networks.robust.$number" "${search[@]}" models/libmlg/{free,tolerance}.c scripts/mlg/gear/explore_robust.c -- \
       mlg explore "$network" load tolerance starts=6
   done < <(each_network)
+}
+
+# NUMBER NETWORK FREE of each of the larger family that differs from those before it
+each_larger() {
+  made networks.larger models/libmlg/device_text.c scripts/mlg/gear/{networks,network_same}.c -- mlg networks larger same >&2
+  awk -F, '/^[0-9]/ && $5 == $1 { print $1, $2, $4 }' build/tables/networks.larger.csv
+}
+
+# Two dampers, or two springs beside k_d: two starts
+runs_larger() {
+  local number network free
+  while read -r number network free; do
+    made "networks.larger.$number" "${search[@]}" models/libmlg/best_ratio.c scripts/mlg/gear/explore_interval.c -- \
+      mlg explore "$network" zeta width free="$free" starts=2
+  done < <(each_larger)
 }
 
 # Rows of one quantity by falling value, with rank, network, layout and static stiffness

@@ -102,18 +102,20 @@ static int run(int argc, char *argv[])
     printf(",%.*s", (int)strcspn(e.other[i]->text, "="), e.other[i]->text);
   printf("\n");
 
+  double damping = -INFINITY;
   bool has_given = from; /* where the others begin: at the best damped design, if that is asked for */
 
   for (enum quantity q = ZETA; q < QUANTITIES; q++) {
     struct found found;
 
-    if (!asked[q])
+    if (!asked[q] || (q != ZETA && e.others > 0 && asked[ZETA] && !(damping > 0.))) /* no design without shimmy */
       continue;
     explore(q, &e, (int)option[STARTS].value, has_given ? given : NULL, &found);
     print_row(q, &e, &found, q == TOLERANCE ? 1e-2 : 1.);
     if (q == ZETA) {
       memcpy(given, found.x, sizeof given);
       has_given = true;
+      damping = found.value;
     }
   }
   return output_status(argv[0]);
@@ -129,7 +131,7 @@ const struct command command_explore = {
     "1e7 N m s/rad, searched by an evolution strategy from random places (models/libmlg/cma.h); the\n"
     "intervals exactly over k_s, by golden section over b.  free=c_2 searches the element c_2=300\n"
     "of a network as well, springs, dampers and inerters in the same ranges; then intervals by the\n"
-    "strategy, too, and no tolerance.  With c_d, and k_s and b, the search begins at that design, too.\n"
+    "strategy, too, none where no design is damped, and no tolerance.  With c_d, and k_s and b, the search begins at that design, too.\n"
     "CSV, a row for each, none where there is no interval:\n"
     "  zeta          the largest least damping ratio over V_least < V < V_top\n"
     "  width, ratio  of the widest zero-shimmy interval c_lo to c_hi: c_hi - c_lo, c_hi/c_lo\n"

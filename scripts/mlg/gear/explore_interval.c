@@ -160,22 +160,19 @@ static void refine_b(struct widest *best, int *asked)
 
 /* --- over further elements -------------------------------------------------------------------------- */
 
-static double best_ratio(struct explorer *e)
-{
-  struct libmlg_ratio best;
-
-  return libmlg_best_c_d(e->layout, e->par, e->V_least, e->V_top, &best) == 0 ? best.zeta : -INFINITY;
-}
-
-/* The size of the interval at a place, or where there is none its best damping ratio, below 0. */
+/* The size of the interval at a place, or where there is none the damping ratio there, below 0,
+ * at the c_d that is set. */
 static double size_or_ratio(const double x[], void *explorer)
 {
   struct explorer *const e = explorer;
   struct widest here = { .e = e, .of_ratio = e->of_ratio, .size = -INFINITY };
+  struct libmlg_ratio least;
 
   explore_set(e, x);
   take_interval(&here);
-  return here.size > 0. ? here.size : fmin(best_ratio(e), 0.);
+  if (here.size > 0.)
+    return here.size;
+  return libmlg_least_ratio(e->layout, e->par, e->V_least, e->V_top, &least) == 0 ? fmin(least.zeta, 0.) : -INFINITY;
 }
 
 static struct widest over_others(struct explorer *e, int starts, const double given[], double result[], double at[], int *asked)
@@ -184,6 +181,8 @@ static struct widest over_others(struct explorer *e, int starts, const double gi
   struct widest best = { .e = e, .of_ratio = e->of_ratio, .size = -INFINITY };
   struct cma_random random = { 7 };
 
+  if (given)
+    explore_set_all(e, given);
   for (int start = 0; start < starts; start++) {
     double x[EXPLORE_VARIABLES] = { 0. }, place[EXPLORE_VARIABLES] = { 0. };
 

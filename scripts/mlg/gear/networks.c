@@ -142,194 +142,118 @@ const char *network_path(const struct device_text *d)
 
 double network_least_k_s(const struct device_text *d, double k_d)
 {
-  return strcmp(network_path(d), "k_s") == 0 ? k_d : 1e4;
+  const int hangs_on_k_d = fabs(network_static(d, 3., 6.) - network_static(d, 4., 6.)) > 1e-12;
+
+  return hangs_on_k_d ? 1e4 : k_d;
 }
 
-/* --- which are one ------------------------------------------------------------------------
- * The dynamic stiffness of one network, k_d, k_s, c_d and b above 0, is a set of functions
- * of s.  Two networks have the same set when each function of either is one of the other: the
- * values that make it so are looked for by Newton's method on the logarithms of the values,
- * for three functions of each. */
-
-enum { VALUES = 4, SAMPLES = 6, TRIES = 12, STEPS = 60 };
-
-static const int value_slot[VALUES] = { PAR_K_D, PAR_K_S, PAR_C_D, PAR_B };
-
-static double random_part(unsigned long long *seed)
+static int has_leaf(const struct part *p, char operation, const char *name)
 {
-  *seed = *seed * 6364136223846793005ULL + 1442695040888963407ULL;
-  return (double)(*seed >> 11) / 9007199254740992.;
+  const enum part_kind kind = operation == '|' ? PARALLEL : SERIES;
+
+  if (p->kind == kind)
+    return has_leaf(p->a, operation, name) || has_leaf(p->b, operation, name);
+  return p->kind != PARALLEL && p->kind != SERIES && strncmp(p->text, name, strlen(name)) == 0
+         && (p->text[strlen(name)] == '\0' || p->text[strlen(name)] == '=');
 }
 
-/* log Z at SAMPLES points of the right half plane, where it has neither zero nor pole. */
-static void sample(const struct device_text *d, const double logarithm[VALUES], double out[2 * SAMPLES])
+/* Whether two elements stand directly side by side or one behind the other, so that one of
+ * their kind does as well. */
+static int has_neighbours(const struct part *p, const char *a, const char *b)
 {
-  double par[MLG_SLOTS] = { [PAR_K_PSI] = MLG_RIGID * MLG_RIGID };
-  struct network Z;
+  if (p->kind != PARALLEL && p->kind != SERIES)
+    return 0;
+  const char operation = p->kind == PARALLEL ? '|' : '-';
 
-  for (int i = 0; i < VALUES; i++)
-    par[value_slot[i]] = exp(logarithm[i]);
-  Z = device_stiffness(d, par);
-  for (int i = 0; i < SAMPLES; i++) {
-    const double _Complex s = (0.2 + 0.3 * i) + I * (2.5 - 0.4 * i);
-    const double _Complex value = clog(poly_value(&Z.num, s) / poly_value(&Z.den, s));
-
-    out[2 * i] = creal(value);
-    out[2 * i + 1] = cimag(value);
-  }
+  return (has_leaf(p, operation, a) && has_leaf(p, operation, b)) || has_neighbours(p->a, a, b) || has_neighbours(p->b, a, b);
 }
 
-/* Solves the normal equations J'J x = J'r of free unknowns, damped; 0: singular. */
-static int solve(double A[VALUES][VALUES + 1], int n)
+/* --- the two families --------------------------------------------------------------------------- */
+
+/* Elements of which each network of a family is made, all of a row. */
+struct family { const char *name[MOST_NAMES]; int n; };
+
+static const struct family small[] = {
+  { { "k_d", "c_d" }, 2 }, { { "k_d", "c_d", "b" }, 3 }, { { "k_s", "k_d", "c_d" }, 3 }, { { "k_s", "k_d", "c_d", "b" }, 4 },
+};
+
+/* One damper or one spring more; their values only stand for them. */
+#define C_2 "c_2=1000"
+#define K_2 "k_2=1e6"
+
+static const struct family larger[] = {
+  { { "k_d", "c_d", C_2 }, 3 }, { { "k_d", "c_d", C_2, "b" }, 4 }, { { "k_s", "k_d", "c_d", C_2 }, 4 },
+  { { "k_s", "k_d", "c_d", C_2, "b" }, 5 }, { { "k_s", K_2, "k_d", "c_d" }, 4 }, { { "k_s", K_2, "k_d", "c_d", "b" }, 5 },
+};
+
+/* The dynamic stiffness with these values of k_s and c_d, and of the element beside them. */
+static double _Complex at_values(struct device_text *d, double k_s, double c_d, double other)
 {
-  for (int i = 0; i < n; i++) {
-    for (int r = i + 1; r < n; r++)
-      for (int c = n; c >= i; c--)
-        A[r][c] -= A[r][i] / A[i][i] * A[i][c];
-    if (!(fabs(A[i][i]) > 0.))
-      return 0;
-  }
-  for (int i = n - 1; i >= 0; i--) {
-    for (int c = i + 1; c < n; c++)
-      A[i][n] -= A[i][c] * A[c][n];
-    A[i][n] /= A[i][i];
-  }
-  return 1;
-}
+  const double _Complex s = 0.7 + 1.3 * I;
+  double par[MLG_SLOTS] = { [PAR_K_PSI] = 1.1, [PAR_K_D] = 1.3, [PAR_K_S] = k_s, [PAR_C_D] = c_d, [PAR_B] = 2.3 };
 
-static double misfit(const struct device_text *d, const double x[VALUES], const double target[], double r[])
-{
-  double sum = 0.;
-
-  sample(d, x, r);
-  for (int i = 0; i < 2 * SAMPLES; i++) {
-    r[i] -= target[i];
-    sum += r[i] * r[i];
-  }
-  return sum;
-}
-
-/* Whether the target is a function of network d, from the values x on; those below `first`
- * are held. */
-static int reaches(const struct device_text *d, double x[VALUES], int first, const double target[])
-{
-  double r[2 * SAMPLES], size = misfit(d, x, target, r), damping = 1e-3;
-
-  for (int step = 0; step < STEPS && size > 1e-24; step++) {
-    double J[2 * SAMPLES][VALUES], A[VALUES][VALUES + 1] = { { 0. } }, next[VALUES], away[2 * SAMPLES];
-    const int n = VALUES - first;
-
-    for (int k = first; k < VALUES; k++) {
-      const double at = x[k], h = 1e-6;
-
-      x[k] = at + h;
-      sample(d, x, away);
-      x[k] = at - h;
-      double back[2 * SAMPLES];
-      sample(d, x, back);
-      x[k] = at;
-      for (int i = 0; i < 2 * SAMPLES; i++)
-        J[i][k] = (away[i] - back[i]) / (2. * h);
-    }
-    for (int a = 0; a < n; a++) {
-      for (int b = 0; b < n; b++)
-        for (int i = 0; i < 2 * SAMPLES; i++)
-          A[a][b] += J[i][first + a] * J[i][first + b];
-      for (int i = 0; i < 2 * SAMPLES; i++)
-        A[a][n] -= J[i][first + a] * r[i];
-      A[a][a] += damping * (A[a][a] + 1e-12);
-    }
-    if (!solve(A, n))
-      return 0;
-    for (int k = 0; k < VALUES; k++)
-      next[k] = x[k] + (k < first ? 0. : fmax(-2., fmin(2., A[k - first][n])));
-    const double better = misfit(d, next, target, away);
-
-    if (better < size) {
-      memcpy(x, next, sizeof next);
-      memcpy(r, away, sizeof away);
-      size = better;
-      damping *= 0.1;
-    } else if ((damping *= 10.) > 1e6)
-      break;
-  }
-  return size < 1e-18;
-}
-
-/* Whether the functions of `of`, three at random, are functions of `by`. */
-static int is_within(const struct device_text *of, const struct device_text *by, int first)
-{
-  unsigned long long seed = 1;
-
-  for (int k = 0; k < 3; k++) {
-    double value[VALUES], target[2 * SAMPLES];
-    int found = 0;
-
-    for (int i = 0; i < VALUES; i++)
-      value[i] = i < first ? 0. : 2. * random_part(&seed) - 1.;
-    sample(of, value, target);
-    for (int attempt = 0; attempt < TRIES && !found; attempt++) {
-      double x[VALUES];
-
-      for (int i = 0; i < VALUES; i++)
-        x[i] = i < first ? 0. : 4. * random_part(&seed) - 2.;
-      found = reaches(by, x, first, target);
-    }
-    if (!found)
-      return 0;
-  }
-  return 1;
-}
-
-/* The powers of s that are in num and den, which do not hang on the values. */
-static unsigned powers(const struct device_text *d)
-{
-  double par[MLG_SLOTS] = { [PAR_K_PSI] = MLG_RIGID * MLG_RIGID, [PAR_K_D] = 1., [PAR_K_S] = 1., [PAR_C_D] = 1., [PAR_B] = 1. };
+  for (int i = 0; i < d->parts; i++)
+    if (d->part[i].slot < 0 && d->part[i].text)
+      d->part[i].value = other;
   const struct network Z = device_stiffness(d, par);
-  unsigned bits = 0;
 
-  for (int i = 0; i < POLY_TERMS; i++)
-    bits |= (unsigned)(Z.num.coefficient[i] > 1e-9) << i | (unsigned)(Z.den.coefficient[i] > 1e-9) << (i + POLY_TERMS);
-  return bits;
+  return poly_value(&Z.num, s) / poly_value(&Z.den, s);
 }
 
-int network_same(const struct device_text *a, const struct device_text *b, int k_d_free)
+/* Whether the two are one with k_s and k_2 exchanged. */
+static int exchanged_springs(struct device_text *a, struct device_text *b)
 {
-  const int first = k_d_free ? 0 : 1;
+  const double _Complex x = at_values(a, 1.7, 1.9, 3.1), y = at_values(b, 3.1, 1.9, 1.7);
 
-  return powers(a) == powers(b) && is_within(a, b, first) && is_within(b, a, first);
+  return cabs(x - y) < 1e-12 * cabs(x);
 }
 
-/* --- the command ------------------------------------------------------------------------------ */
-
-struct device_text *small_networks(int *n, int *all)
+/* Whether a network belongs to the larger family: no smaller one does as well, and it is not
+ * one that is there with k_s and k_2 exchanged. */
+static int is_new(struct device_text *d, struct device_text before[], int n)
 {
-  static const char *const name[][MOST_NAMES] = {
-    { "k_d", "c_d" }, { "k_d", "c_d", "b" }, { "k_s", "k_d", "c_d" }, { "k_s", "k_d", "c_d", "b" },
-  };
-  static const int names[] = { 2, 3, 3, 4 };
-  struct texts list[4];
-  struct device_text *small;
+  if (has_neighbours(d->network, "c_d", "c_2") || has_neighbours(d->network, "k_s", "k_2"))
+    return 0;
+  for (int i = 0; i < n && strstr(d->text, "k_2"); i++)
+    if (strstr(before[i].text, "k_2") && exchanged_springs(d, &before[i]))
+      return 0;
+  return 1;
+}
+
+/* A network is kept where it is: it holds pointers into itself. */
+static struct device_text *networks_in(const struct family family[], int families, int *n, int *all)
+{
+  struct texts list[sizeof larger / sizeof *larger];
+  struct device_text *found;
   char wrong[200];
 
   *n = *all = 0;
-  for (int set = 0; set < 4; set++) {
-    list[set] = networks_of(name[set], names[set]);
-    *all += list[set].n;
+  for (int i = 0; i < families; i++) {
+    list[i] = networks_of(family[i].name, family[i].n);
+    *all += list[i].n;
   }
-  small = calloc((size_t)*all, sizeof *small);
-  if (!small)
+  found = calloc((size_t)*all, sizeof *found);
+  if (!found)
     fail("networks", MLG_FAILED, "out of memory");
-  for (int set = 0; set < 4; set++) {
+  for (int set = 0; set < families; set++) {
     for (int i = 0; i < list[set].n; i++) {
-      if (device_read(&small[*n], list[set].text[i], wrong, sizeof wrong) != 0)
+      struct device_text *const d = &found[*n];
+
+      if (device_read(d, list[set].text[i], wrong, sizeof wrong) != 0)
         refuse("networks", list[set].text[i], "%s", wrong);
-      *n += strcmp(network_path(&small[*n]), "none") != 0;
+      *n += network_static(d, 3., 6.) > 0. && (family == small || is_new(d, found, *n));
     }
     free(list[set].text);
   }
-  return small;
+  return found;
 }
+
+struct device_text *small_networks(int *n, int *all)
+{
+  return networks_in(small, sizeof small / sizeof *small, n, all);
+}
+
+/* --- the command ------------------------------------------------------------------------------ */
 
 /* The name of the layout in models/ that has this stiffness, or "". */
 static const char *layout_of(const struct device_text *d)
@@ -354,30 +278,33 @@ static const char *layout_of(const struct device_text *d)
 }
 
 /* The number, from 1 on, of the first network that is one with number i. */
-static int first_same(const struct device_text small[], int i, int k_d_free)
+static int first_same(struct device_text d[], int i, int k_d_free)
 {
   int k = 0;
 
-  while (k < i && !network_same(&small[k], &small[i], k_d_free))
+  while (k < i && !network_same(&d[k], &d[i], k_d_free))
     k++;
   return k + 1;
 }
 
-static int run(int argc, char *argv[])
+static int *numbers(int n)
+{
+  int *const number = malloc((size_t)n * sizeof *number);
+
+  if (!number)
+    fail("networks", MLG_FAILED, "out of memory");
+  return number;
+}
+
+static void list_small(void)
 {
   int n, all, distinct = 0, families = 0;
-  struct device_text *small;
+  struct device_text *const d = small_networks(&n, &all);
+  int *const same = numbers(n), *const family = numbers(n);
 
-  if (argc > 1)
-    refuse(argv[0], argv[1], "expected nothing behind the command");
-  small = small_networks(&n, &all);
-  int *const same = malloc((size_t)n * sizeof *same), *const family = malloc((size_t)n * sizeof *family);
-
-  if (!same || !family)
-    fail(argv[0], MLG_FAILED, "out of memory");
   for (int i = 0; i < n; i++) {
-    same[i] = first_same(small, i, 0);
-    family[i] = first_same(small, i, 1);
+    same[i] = first_same(d, i, 0);
+    family[i] = first_same(d, i, 1);
     distinct += same[i] == i + 1;
     families += family[i] == i + 1;
   }
@@ -385,17 +312,53 @@ static int run(int argc, char *argv[])
          "# have a path of springs; of these, %d differ in dynamic stiffness at the k_d of the gear, %d where k_d is free, too\n"
          "number,network,states,path,same,family,layout\n", all, n, distinct, families);
   for (int i = 0; i < n; i++)
-    printf("%d,%s,%d,%s,%d,%d,%s\n", i + 1, small[i].text, small[i].order, network_path(&small[i]), same[i], family[i],
-           layout_of(&small[i]));
+    printf("%d,%s,%d,%s,%d,%d,%s\n", i + 1, d[i].text, d[i].order, network_path(&d[i]), same[i], family[i], layout_of(&d[i]));
   free(same);
   free(family);
-  free(small);
+  free(d);
+}
+
+/* with_same: which are one as well, most of a minute. */
+static void list_larger(int with_same)
+{
+  int n, all, distinct = 0;
+  struct device_text *const d = networks_in(larger, sizeof larger / sizeof *larger, &n, &all);
+  int *const same = numbers(n);
+
+  for (int i = 0; i < n && with_same; i++) {
+    same[i] = first_same(d, i, 0);
+    distinct += same[i] == i + 1;
+  }
+  printf("# %d series-parallel networks of k_d, c_d, at most one of each of k_s and b, and a second damper c_2 or a spring k_2\n"
+         "# beside k_s, as labelled elements; %d of them have a path of springs and are not one of fewer elements, nor the same with\n"
+         "# k_s and k_2 exchanged\n", all, n);
+  if (with_same)
+    printf("# these are %d different sets of dynamic stiffnesses at the k_d of the gear\n", distinct);
+  printf("number,network,states,free%s\n", with_same ? ",same" : "");
+  for (int i = 0; i < n; i++) {
+    printf("%d,%s,%d,%s", i + 1, d[i].text, d[i].order, strstr(d[i].text, "c_2") ? "c_2" : "k_2");
+    printf(with_same ? ",%d\n" : "\n", same[i]);
+  }
+  free(same);
+  free(d);
+}
+
+static int run(int argc, char *argv[])
+{
+  if (argc == 2 && strcmp(argv[1], "larger") == 0)
+    list_larger(0);
+  else if (argc == 3 && strcmp(argv[1], "larger") == 0 && strcmp(argv[2], "same") == 0)
+    list_larger(1);
+  else if (argc > 1)
+    refuse(argv[0], argv[argc > 2 && strcmp(argv[1], "larger") == 0 ? 2 : 1], "expected nothing, `larger` or `larger same`");
+  else
+    list_small();
   return output_status(argv[0]);
 }
 
 const struct command command_networks = {
   .name = "networks",
-  .usage = "",
+  .usage = "[larger [same]]",
   .summary = "every small network of springs, a damper and an inerter",
   .details =
     "All series-parallel networks of k_d, c_d and at most one of each of k_s and b, each once, that\n"
@@ -407,6 +370,10 @@ const struct command command_networks = {
     "  same             number of the first network with the same dynamic stiffnesses over all k_s,\n"
     "                   c_d and b, found by solving for these at random values\n"
     "  family           the same, with k_d free, too\n"
-    "  layout           its name in models/\n",
+    "  layout           its name in models/\n"
+    "larger: those with a second damper c_2, or with a spring k_2 beside k_s; no two like elements\n"
+    "side by side or one behind the other.  Columns number, network, states, with `same` (most of a\n"
+    "minute) same, and\n"
+    "  free             the element more; explore NETWORK free=NAME searches its value\n",
   .run = run,
 };

@@ -18,12 +18,14 @@ double network_static(const struct device_text *d, double k_d, double k_s);
 /* The springs that carry a static torque: "k_d", "k_s", "k_d|k_s", "k_d-k_s" or "none". */
 const char *network_path(const struct device_text *d);
 
-/* The least k_s that is looked at, N m/rad: k_d where k_s carries alone, else 1e4. */
+/* The least k_s that is looked at, N m/rad, and so of any further spring: k_d where k_d is no
+ * part of what carries, else 1e4. */
 double network_least_k_s(const struct device_text *d, double k_d);
 
 /* Whether two networks have the same dynamic stiffnesses, over all values above 0, k_d held
- * or free too: found by solving for the values, at random ones. */
-int network_same(const struct device_text *a, const struct device_text *b, int k_d_free);
+ * or free too: found by solving for the values, at random ones.  That of a further element
+ * NAME=VALUE, one at most, does not stay. */
+int network_same(struct device_text *a, struct device_text *b, int k_d_free);
 
 /* The networks of k_d, c_d and at most one of each of k_s and b that have a path of springs,
  * *all of them counted with those that have none.  The array is to be freed. */
