@@ -383,6 +383,15 @@ static inline struct mlg_fork mlg_fork_and_k_s(const double par[], double psi, d
   return fork;
 }
 
+/* There is no branch: k_d alone. */
+static inline struct mlg_fork mlg_fork_alone(const double par[], double psi)
+{
+  const double without[MLG_SLOTS] = { [PAR_K_PSI] = par[PAR_K_PSI], [PAR_G_PSI] = par[PAR_G_PSI], [PAR_CORNER] = par[PAR_CORNER],
+                                      [PAR_K_D] = par[PAR_K_D], [PAR_K_D3] = par[PAR_K_D3] }; /* k_s = 0 */
+
+  return mlg_fork_and_k_s(without, psi, 0.);
+}
+
 /* The branch is something twisted by x in series with (k_s beside b), whose states are chi. */
 static inline struct mlg_fork mlg_fork_and_inerter(const double par[], double psi, double x, const double chi[],
                                                    double dchi[])

@@ -94,6 +94,13 @@ static inline struct network inerter(double b)
   return (struct network){ { { 0., 0., b } }, { { 1. } } };
 }
 
+/* c and b one behind the other, without the power of s that series() would leave in both
+ * polynomials; without either nothing carries. */
+static inline struct network damper_and_inerter(double c, double b)
+{
+  return (struct network){ { { 0., 0., b * c } }, { { c > 0. || b > 0. ? c : 1., b } } };
+}
+
 /* The same twist, torques add. */
 static inline struct network parallel(struct network a, struct network b)
 {

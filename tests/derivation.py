@@ -60,6 +60,11 @@ DEVICES = {
              rate(chi) - dchi]),
     'li5': ([T_d - k_psi * tau, T_d - k_d * (sigma + eps) - k_s * sigma, psi - tau - sigma - eps],
             [k_s * sigma - c_d * deps - b * rate(deps), rate(eps) - deps]),
+    'li6': ([T_d - k_psi * tau, T_d - k_d * (sigma + eps) - k_s * sigma, psi - tau - sigma - eps],
+            [k_s * sigma - c_d * (rate(eps) - dchi), k_s * sigma - b * rate(dchi)]),
+    'li7': ([T_d - k_psi * tau, psi - tau - chi, chi - sigma - eps],
+            [T_d - b * rate(dchi) - k_d * chi - k_s * sigma, k_s * sigma - c_d * rate(eps),
+             rate(chi) - dchi]),
 }
 
 

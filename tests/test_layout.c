@@ -722,6 +722,13 @@ static double _Complex closed_form(const double par[], double w)
 
     return 1. / (1. / k_psi + 1. / (k_d + damped / (1. + damped / k_s)));
   }
+  if (strcmp(LAYOUT, "li6.c") == 0) { /* c_d or b may be 0 */
+    const double _Complex chain = c_d > 0. && b > 0. ? 1. / (1. / k_s + 1. / (I * w * c_d) - 1. / (w * w * b)) : 0.;
+
+    return 1. / (1. / k_psi + 1. / (k_d + chain));
+  }
+  if (strcmp(LAYOUT, "li7.c") == 0)
+    return 1. / (1. / k_psi + 1. / (k_d - w * w * b + I * w * c_d / (1. + I * w * c_d / k_s)));
   return NAN;
 }
 

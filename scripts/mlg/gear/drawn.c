@@ -13,6 +13,7 @@
 #define spring(value) element_of(SPRING, value, #value)
 #define damper(value) element_of(DAMPER, value, #value)
 #define inerter(value) element_of(INERTER, value, #value)
+#define damper_and_inerter(c, b) series(damper(c), inerter(b))
 
 static const struct part *kept(struct part part)
 {
