@@ -56,7 +56,7 @@ commands() {
   for command in $(commands); do
     mlg help "$command" | head -n 1 | grep -q "^mlg $command LAYOUT" || continue
     refuses "mlg $command: expected a layout; \`mlg help $command\` says more" "$command"
-    refuses "mlg $command: 'l9': no such layout; there are l1, l2, li1, li2, li3, li4, li5" "$command" l9
+    refuses "mlg $command: 'l9': no such layout; there are l1, l2, li1, li2, li3, li4, li5, li6, li7" "$command" l9
   done
   refuses "mlg draw: 'V=3': expected nothing behind the layout" draw l1 V=3
   refuses "mlg gear: 'l1': expected nothing behind the command" gear l1
@@ -193,6 +193,10 @@ li3 8 V=30 k_s=1e30 b=50
 li4 9 V=30 k_s=7e5 b=50
 li4 7 V=30 k_s=7e5 b=0
 li5 8 V=30 k_s=7e5 b=50
+li6 8 V=30 k_s=7e5 b=50
+li6 6 V=30 k_s=7e5 b=0
+li7 9 V=30 k_s=7e5 b=50
+li7 7 V=30 k_s=7e5 b=0
 END
 }
 

@@ -32,7 +32,7 @@ runs_robust() {
   local number network rest
   while read -r number network rest; do
     made "networks.robust.$number" "${search[@]}" models/libmlg/{free,tolerance}.c scripts/mlg/gear/explore_robust.c -- \
-      mlg explore "$network" load tolerance starts=6
+      mlg explore "$network" load tolerance starts=4
   done < <(each_network)
 }
 

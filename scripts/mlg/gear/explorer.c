@@ -176,7 +176,7 @@ static double along(struct section *s, int variable, double x[2])
   double a = right - part * (right - left), b = left + part * (right - left);
   double at_a = at(s, variable, x, a), at_b = at(s, variable, x, b), largest = fmax(at_a, at_b);
 
-  while (right - left > 1e-5 * s->half) {
+  while (right - left > (variable == 0 ? 1e-6 : 1e-3) * s->half) {
     if (at_a >= at_b) {
       right = b;
       b = a;
@@ -195,19 +195,22 @@ static double along(struct section *s, int variable, double x[2])
   return largest;
 }
 
-/* A place and its value from there on, in a wide window and a narrow one; for k_s and b alone. */
+/* A place and its value from there on, in a wide window as often as that moves on, then in a narrow
+ * one; for k_s and b alone. */
 static void refine(struct explorer *e, const struct goal *goal, double x[], double *value, int *asked)
 {
   const int n = explore_variables(e) - 1;
 
   if (!goal->exact || n < 1 || n > 2)
     return;
-  for (int k = 0; k < 2; k++) {
-    struct section s = { e, goal, (double[]){ 0.05, 0.003 }[k], -INFINITY, { x[0], x[1] }, 0 };
+  for (int wide = 8; wide >= 0; wide--) {
+    struct section s = { e, goal, wide ? 0.06 : 0.003, -INFINITY, { x[0], x[1] }, 0 };
 
     at(&s, 0, s.x, s.x[0]);
     along(&s, n - 1, (double[2]){ x[0], x[1] });
     *asked += s.asked;
+    if (wide && !(s.best > *value + 1e-4 * fabs(*value)))
+      wide = 1;
     if (s.best > *value) {
       *value = goal->exact(s.x, e);
       memcpy(x, s.x, (size_t)n * sizeof *s.x);
