@@ -201,27 +201,78 @@ def joined(edges):
     return 0 in reached
 
 
-def count(letters):
-    """Stiffnesses of graphs with an edge for each letter, in which every edge matters, and of
-    those in which the springs, k, lead from end to end."""
-    rng = random.Random(1)
-    n = len(letters)
-    value, other = ([rng.randrange(1, PRIME) for _ in range(n)] for _ in range(2))
-    pairs = list(itertools.combinations(range(n + 1), 2))
+def graphs(n, edges=(), top=1):
+    """All graphs of n edges between nodes 0, 1, ..., those beyond 1 numbered as they come and none of them loose."""
+    if len(edges) == n:
+        ends = [node for edge in edges for node in edge]
+        if all(ends.count(node) > 1 for node in range(2, top + 1)):
+            yield edges
+        return
+    for q in range(1, top + 3):
+        for p in range(0, min(q, top + 2)):
+            if q <= max(top, p) + 1:
+                yield from graphs(n, edges + ((p, q),), max(top, p, q))
+
+
+def distinct(letters, seed=1):
+    """Values of the edges, and of each stiffness in which every edge matters the graph."""
+    rng = random.Random(seed)
+    value, other = ([rng.randrange(1, PRIME) for _ in letters] for _ in range(2))
     found = {}
-    for edges in itertools.product(pairs, repeat=n):
+    for edges in graphs(len(letters)):
         z = stiffness(edges, value)
         if not z or z in found:
             continue
-        moved = (value[:i] + [other[i]] + value[i + 1:] for i in range(n))
+        moved = (value[:i] + [other[i]] + value[i + 1:] for i in range(len(letters)))
         if all(stiffness(edges, m) not in (None, z) for m in moved):
-            found[z] = joined([e for e, letter in zip(edges, letters) if letter == "k"])
-    return len(found), sum(found.values())
+            found[z] = edges
+    return value, found
+
+
+def springs_join(edges, letters):
+    return joined([e for e, letter in zip(edges, letters) if letter in "kK"])
+
+
+def count(letters):
+    """Stiffnesses of graphs with an edge for each letter, in which every edge matters, and of
+    those in which the springs, k, lead from end to end."""
+    found = distinct(letters)[1]
+    return len(found), sum(springs_join(edges, letters) for edges in found.values())
+
+
+def is_bridge(edges):
+    """Of five edges, whether they are Wheatstone's: four nodes, all of three ends but the two terminals."""
+    ends = sorted(node for edge in edges for node in edge)
+    return len(edges) == 5 and sorted(ends.count(n) for n in set(ends)) == [2, 2, 3, 3] and ends.count(0) == ends.count(1) == 2 \
+        and len(set(edges)) == 5 and (0, 1) not in edges
+
+
+def count_larger(letters):
+    """The series-parallel ones with two like elements, CC or KK (k is k_d), that a path of springs joins, of
+    which no single element in place of the two does as well; of KK one of each two that differ by the exchange
+    of these; and the bridges."""
+    value, found = distinct(letters)
+    i, j = [k for k, letter in enumerate(letters) if letter in "KC"]
+    kept, bridges = set(), 0
+    t = random.Random(2).randrange(1, PRIME)
+    side = value[:]  # what two side by side do not notice
+    side[i], side[j] = (value[i] + t) % PRIME, (value[j] - t) % PRIME
+    line = value[:]  # and what two one behind the other do not
+    inverse = [pow(v, -1, PRIME) for v in value]
+    line[i], line[j] = pow(inverse[i] + t, -1, PRIME), pow(inverse[j] - t, -1, PRIME)
+    swapped = value[:]
+    swapped[i], swapped[j] = value[j], value[i]
+    for z, edges in found.items():
+        if is_bridge(edges):
+            bridges += 1
+        elif springs_join(edges, letters) and z not in (stiffness(edges, side), stiffness(edges, line)):
+            kept.add(min(z, stiffness(edges, swapped)) if letters[i] == "K" else z)
+    return len(found), len(kept), bridges
 
 
 def main():
     if sys.argv[1] == "count":
-        print(*count(sys.argv[2]))
+        print(*(count_larger if set(sys.argv[2]) & set("KC") else count)(sys.argv[2]))
     else:
         for line in sys.stdin:
             print("%.10g" % least(line.strip()) if sys.argv[1] == "least" else passive(line.strip()))
