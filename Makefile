@@ -199,7 +199,7 @@ parts_sections := past tori elsewhere
 parts_sweeps := load map play hopf
 parts_joints := cycles play planes friction thresholds dampers starts
 parts_doubts := zB_shared R_moves heading I_p tyre
-parts_networks := small
+parts_networks := small load tolerance larger
 parts_passive := 180e3 200e3 220e3 gears
 parts_design := loads tolerance map auto
 studies := damping transients layouts certify sections sweeps joints doubts networks passive design
@@ -241,7 +241,7 @@ filmstrip: ## solutions A and B of Figure 6 over a period: the gear from above a
 layouts: ## layouts LI3, LI4 and LI5: diagrams, boundary points, widths (docs/layouts.md)
 damping: ## least damping ratios of every layout, a minute (docs/damping.md)
 transients: ## peaks and settling times after a disturbance, four minutes more (docs/damping.md)
-networks: ## the best designs of every small network, half an hour (docs/networks.md)
+networks: ## the best designs of every small network, an hour (docs/networks.md)
 passive: ## the largest damping of any passive device, half an hour (docs/networks.md)
 sections: ## what follows past the torus points of Figure 6 (docs/simulate.md)
 sweeps: ## a million gears over load and tolerance, a map over (e, l), AUTO against the algebra; 15 minutes (docs/sweeps.md)

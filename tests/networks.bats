@@ -183,6 +183,7 @@ EOF
   near "$(awk -F, '$1 == "width" { print $2 }' found)" 10226.87 1e-6 width
   near "$(awk -F, '$1 == "width" { print $3 }' found)" 786523.7 1e-6 k_s
   near "$(awk -F, '$1 == "zeta" { print $2 }' found)" "$(cell zeta damping l2 best)" 1e-6 zeta
+  near "$(awk -F, '$1 == "tolerance" { print $2 }' found)" 0.48608 1e-4 tolerance # of libmlg_most_tolerant, in results/tolerance.csv
   # no design above its largest load, one just below it
   load=$(awk -F, '$1 == "load" { print $2 }' found)
   near "$load" 204504 2e-5 load
@@ -223,6 +224,39 @@ some_rows() { # QUANTITY
     | oracle least | awk '$1 < 0 { print NR, $0; exit wrong = 1 } END { exit wrong || NR != 8 }'
 }
 
+@test "a random row of the table of networks has its tolerance, all corners tested" {
+  local network p k_s b c_d rest words=()
+  some_rows tolerance | head -n 1 > row
+  IFS=, read -r network p k_s b c_d rest < row
+  [ "$k_s" = inf ] || words+=("k_s=$k_s")
+  [ "$b" = 0 ] || words+=("b=$b")
+  near "$(cell p tolerance "$network" "${words[@]}" c_d="$c_d" sample=0)" "$p" 2e-5 "p of $network" # the table has seven digits
+  # the worst corners are kinks: no neighbour in c_d bears more
+  for c_d in "$(awk "BEGIN { print $c_d * 0.999 }")" "$(awk "BEGIN { print $c_d * 1.001 }")"; do
+    cell p tolerance "$network" "${words[@]}" c_d="$c_d" sample=0 | awk -v p="$p" '{ exit !($1 < p) }'
+  done
+}
+
+# larger QUANTITY: six random rows of results/networks_larger.csv as network,value,k_s,b,c_lo,c_hi
+larger_rows() {
+  awk -F, -v OFS=, -v quantity="$1" 'BEGIN { srand(1403) }
+    $1 == quantity && $6 !~ /inf/ { sub($5, $5 "=" $9, $4); row[n++] = $4 OFS $6 OFS ($7 == "" ? "inf" : $7) OFS ($8 == "" ? 0 : $8) OFS $10 OFS $11 }
+    END { for (i = 0; i < 6; i++) print row[int(n * rand())] }' "$ROOT/results/networks_larger.csv"
+}
+
+@test "random rows of the larger family stand before the pencil of nodes" {
+  local network value k_s b lo hi
+  larger_rows zeta > rows
+  paste -d ' ' <(awk -F, -v OFS=, '{ print $1, $3, $4, $5 }' rows | oracle least) <(cut -d, -f2 rows) | tee both \
+    | awk '{ if (($1 - $2) ^ 2 > (5e-3 * $2) ^ 2 + 1e-12) { print; exit wrong = 1 } } END { exit wrong || NR != 6 }' || { cat both; false; }
+  larger_rows width > rows
+  while IFS=, read -r network value k_s b lo hi; do
+    near "$(awk "BEGIN { printf \"%.10g\", $hi - $lo }")" "$value" 1e-5 "width of $network"
+    for c in 0.01 0.5 0.99; do awk "BEGIN { print $lo + $c * ($hi - $lo) }" | sed "s/^/$network,$k_s,$b,/"; done \
+      | oracle least | awk -v network="$network" '$1 <= -1e-7 { print network, $0; exit wrong = 1 } END { exit wrong || NR != 3 }'
+  done < rows
+}
+
 @test "the table of networks has the paper's layouts as they are known, and no width above that of LI2 at b = 300 but those it ranks" {
   local layout width
   while read -r layout width; do
@@ -235,9 +269,11 @@ li2 22353.557
 li3 14101.398
 li4 20740.065
 li5 7847.7306
+li6 13766.12
+li7 10246.19
 EOF
   awk -F, '!/^#/ && $1 != "quantity" { if ($1 == last && $6 > before) exit 1; if ($1 == last && $2 != rank + 1) exit 1; last = $1; before = $6; rank = $2; n[$1]++ }
-    END { exit n["zeta"] != 35 || n["load"] != 35 || n["width"] != n["ratio"] || n["width"] < 20 }' "$ROOT/results/networks.csv"
+    END { exit n["zeta"] != 35 || n["load"] != 35 || n["tolerance"] != n["width"] || n["width"] != n["ratio"] || n["width"] < 20 }' "$ROOT/results/networks.csv"
 }
 
 @test "every passive device of the table is passive, stiff enough, and as well damped as it says" {
@@ -274,6 +310,14 @@ EOF
   done
   run -2 mlg passive V_least=0
   [[ "$output" == "mlg passive: 'V_least=0': outside its range, 0.001 to 1000 m/s" ]]
+  # what is searched is no value to give
+  for words in "l2 k_s=3e5" "li1 b=30"; do
+    # shellcheck disable=SC2086 # words
+    run -2 mlg explore $words
+    [[ "$output" == "mlg explore: '${words##* }': all "*" are searched; to begin at a design give its c_d as well" ]]
+  done
+  run -2 mlg explore 'k_d|(c_d-c_2=300)' free=c_3
+  [ "$output" = "mlg explore: 'free=c_3': the network has no element c_3=VALUE" ]
   run -1 mlg deltamode M=1e6
   [ "$output" = "mlg deltamode: delta does not oscillate: the load takes all of k_delta's stiffness away" ]
   [ "$(mlg explore l1 load starts=1 c_delta=0 c_psi=0 | wc -l)" -eq 2 ] # no load, no row

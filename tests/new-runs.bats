@@ -156,9 +156,18 @@ parameters() { # LAYOUT
   case $1 in l1 | l2) ;; *) echo "b 100" ;; esac
 }
 
+# Those that are tried: all with the paper's layouts, every fourth with another, other ones with each
+tried() { # LAYOUT NUMBER
+  case $1 in
+    l1 | l2 | li1 | li2) parameters "$1" ;;
+    *) parameters "$1" | awk -v number="$2" '(NR + number) % 4 == 0' ;;
+  esac
+}
+
 @test "every parameter can be fixed and continued by its name, in every layout" {
-  local layout case name value ends at V moved from to step word words n=0
+  local layout case name value ends at V moved from to step word words n=0 number=0
   for layout in $(layouts); do
+    number=$((number + 1))
     case="c_d=3.6e4 $(parameters "$layout" | sed -n 's/^\(k_s\|b\) /\1=/p' | xargs)"
     # shellcheck disable=SC2086 # words
     mlg run "every.$layout" "$layout.straight" $case STOP="['HB1']" -- HB=1 >every.out
@@ -167,7 +176,7 @@ parameters() { # LAYOUT
       mlg run "every.$layout.$name" "$layout.hopf" from="every.$layout" ICP="['$name', 'V', 'period']" \
         THL="{'$name': $(awk "BEGIN { print 1 / $value ^ 2 }")}" DS=0.02 DSMAX=0.05 \
         UZSTOP="{'$name': [$ends], 'V': [0.1, 200.0]}" -- UZ=1 >every.out
-    done < <(parameters "$layout")
+    done < <(tried "$layout" $number)
     while read -r name value; do
       read -r V at <<<"$(value "every.$layout.$name" UZ "V $name")"
       read -r moved from to step <<<"$(awk -v V="$V" -v at="$at" -v value="$value" \
@@ -182,9 +191,9 @@ parameters() { # LAYOUT
       mlg run fixed "$layout.straight" "${words[@]}" V="$from" DS=0.001 DSMAX=0.001 UZSTOP="{'V': $to}" -- >every.out
       near "$(values fixed HB V | nearest "$V")" "$V" 1e-7 "V of $layout with another $name"
       n=$((n + 1))
-    done < <(parameters "$layout")
+    done < <(tried "$layout" $number)
   done
-  [ "$n" -eq $((25 * $(layouts | wc -l) - 3)) ]
+  [ "$n" -ge $((4 * 25 - 3 + 6 * ($(layouts | wc -l) - 4))) ]
 }
 
 ## Tables

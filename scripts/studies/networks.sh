@@ -2,12 +2,11 @@
 # Every small network: its best designs, ranked (docs/networks.md)
 #
 #   scripts/studies/networks.sh      all of it
-#   scripts/studies/networks.sh runs [small | robust | larger] | tables | draw
+#   scripts/studies/networks.sh runs [small | load | tolerance | larger] | tables | draw
 #
-# Two searches for each network, of damping and intervals and of load and tolerance, up to a
-# minute each; what was interrupted goes on with the networks that are left.
+# Three searches for each network, up to a minute each; what was interrupted goes on with the networks that are left.
 #
-# Writes: results/networks.csv, results/networks.svg; build/tables/networks.*.csv
+# Writes: results/networks.csv, results/networks_larger.csv, results/networks.svg; build/tables/networks.*.csv
 # Expect: 35 networks; width 264.6269 of L1, 10226.87 of L2, 11244.367 of LI1 at b = 140.4708,
 #         and 22354 of LI2 at b = 300, which is the widest of all.
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
@@ -28,11 +27,19 @@ runs_small() {
   done < <(each_network)
 }
 
-runs_robust() {
+runs_load() {
   local number network rest
   while read -r number network rest; do
-    made "networks.robust.$number" "${search[@]}" models/libmlg/{free,tolerance}.c scripts/mlg/gear/explore_robust.c -- \
-      mlg explore "$network" load tolerance starts=4
+    made "networks.load.$number" "${search[@]}" models/libmlg/{best_ratio,free}.c scripts/mlg/gear/explore_load.c -- \
+      mlg explore "$network" load starts=4
+  done < <(each_network)
+}
+
+runs_tolerance() {
+  local number network rest
+  while read -r number network rest; do
+    made "networks.tolerance.$number" "${search[@]}" models/libmlg/{best_ratio,free,slopes,tolerance}.c scripts/mlg/gear/explore_tolerance.c -- \
+      mlg explore "$network" tolerance starts=3
   done < <(each_network)
 }
 
@@ -61,8 +68,21 @@ ranked() { # QUANTITY
         k = path == "k_d" ? k_d : path == "k_s" ? $3 : path == "k_d|k_s" ? k_d + $3 : k_d * $3 / (k_d + $3)
         print number, network, layout, sprintf("%.7g", $2), $3 == "inf" ? "" : sprintf("%.7g", $3),
           network ~ /(^|[^_a-z])b($|[^_a-z])/ ? sprintf("%.6g", $4) : "", sprintf("%.7g", $5), sprintf("%.7g", $6),
-          sprintf("%.6g", k), $7, $8 }' "build/tables/networks.$number.csv"
+          sprintf("%.6g", k), $7, $8, $7 > 1 || $8 == 1 ? "yes" : "no" }' build/tables/networks.{,load.,tolerance.}"$number.csv"
   done < <(each_network) | sort -t, -k4,4gr -k1,1n | awk -v OFS=, -v quantity="$1" '{ print quantity, NR, $0 }'
+}
+
+# The same of the larger family
+ranked_larger() { # QUANTITY
+  local number network free
+  while read -r number network free; do
+    awk -F, -v OFS=, -v quantity="$1" -v number="$number" -v network="$network" -v free="$free" '
+      $1 == quantity {
+        sub(/=[0-9.e]+/, "", network)
+        print number, network, free, sprintf("%.7g", $2), $3 == "inf" ? "" : sprintf("%.7g", $3),
+          network ~ /(^|[^_a-z])b($|[^_a-z])/ ? sprintf("%.6g", $4) : "", sprintf("%.7g", $10), sprintf("%.7g", $5),
+          sprintf("%.7g", $6), $7, $8, $7 > 1 ? "yes" : "no" }' "build/tables/networks.larger.$number.csv"
+  done < <(each_larger) | sort -t, -k4,4gr -k1,1n | awk -v OFS=, -v quantity="$1" '{ print quantity, NR, $0 }'
 }
 
 tables() {
@@ -72,11 +92,23 @@ tables() {
     "# (docs/networks.md): the best designs by a search over k_s from 1e4 (k_d, where k_s carries alone) to 1e9 N m/rad, b from 0" \
     "# to 300 N m s^2/rad and all c_d, ranked. quantity: width, N m s/rad, and ratio of the zero-shimmy interval c_lo to c_hi where" \
     "# that is largest, exact over k_s, b to 1e-8 of its range; zeta, the largest least damping ratio over V in 0.3..200 m/s," \
-    "# good to 0.1 %; load, N, the largest static load at which a design without shimmy was found, a bound from below. static N m/rad, without k_psi." \
-    "# met of starts: how many came within 1 % of the best (load goes on from the best of zeta alone)."
+    "# good to 0.1 %; load, N, the largest static load at which a design has no shimmy; tolerance p, %, by all corners. static" \
+    "# N m/rad, without k_psi. met of starts: how many came within 1 % of the best, of a load within 0.1 %; converged: two at" \
+    "# least, or there is nothing to start from but c_d and k_s; else the value is a bound from below."
   {
-    echo quantity,rank,number,network,layout,value,k_s,b,c_lo,c_hi,static,met,starts
-    for quantity in width ratio zeta load; do ranked $quantity; done
+    echo quantity,rank,number,network,layout,value,k_s,b,c_lo,c_hi,static,met,starts,converged
+    for quantity in width ratio zeta load tolerance; do ranked $quantity; done
+  } >> "$table.new"
+  replace "$table"
+
+  begin_table results/networks_larger.csv \
+    "# Series-parallel networks with a second damper c_2, or with a spring k_2 beside k_s, of those with the same dynamic stiffnesses" \
+    "# the first (docs/networks.md), searched as results/networks.csv: k_2 as k_s, c_2 as c_d. number: of mlg networks larger." \
+    "# other: c_2 N m s/rad, k_2 N m/rad; width: of c_d, the other damper held, inf where no c_d is too large; of damping ratios" \
+    "# above 0 alone. met of two starts; converged: both."
+  {
+    echo quantity,rank,number,network,free,value,k_s,b,other,c_lo,c_hi,met,starts,converged
+    for quantity in zeta width; do ranked_larger $quantity; done
   } >> "$table.new"
   replace "$table"
 }
@@ -84,14 +116,15 @@ tables() {
 draw() {
   awk -F, '
     /^#/ || $1 == "quantity" { next }
-    { value[$1, $3] = $6; if ($1 == "load") { n++; text[$3] = $4; layout[$3] = $5 == "-" ? "" : toupper($5) } }
+    { value[$1, $3] = $6; if ($1 == "zeta") { text[$3] = $4; layout[$3] = toupper($5) } }
     $1 == "width" { order[++m] = $3; wide[$3] = 1 }
     $1 == "zeta" && !($3 in wide) { order[++m] = $3 }
     END {
       for (i = 1; i <= m; i++) {
         k = order[i]
-        printf "%s,%d. %s %s,width %s  zeta %.3g,load %.1f kN\n", text[k], i, text[k], layout[k],
-          ("width" SUBSEP k) in value ? sprintf("%.6g", value["width", k]) : "none", value["zeta", k], value["load", k] / 1e3 } }' \
+        printf "%s,%d. %s %s,width %s; zeta %.3g,load %.1f kN; tolerance %s\n", text[k], i, text[k], layout[k],
+          ("width" SUBSEP k) in value ? sprintf("%.6g", value["width", k]) : "none", value["zeta", k], value["load", k] / 1e3,
+          ("tolerance" SUBSEP k) in value ? sprintf("%.3g %%", value["tolerance", k]) : "none" } }' \
     results/networks.csv | mlg drawings > build/networks.svg
   mv build/networks.svg results/networks.svg
 }
