@@ -68,7 +68,7 @@ ranked() { # QUANTITY
         k = path == "k_d" ? k_d : path == "k_s" ? $3 : path == "k_d|k_s" ? k_d + $3 : k_d * $3 / (k_d + $3)
         print number, network, layout, sprintf("%.7g", $2), $3 == "inf" ? "" : sprintf("%.7g", $3),
           network ~ /(^|[^_a-z])b($|[^_a-z])/ ? sprintf("%.6g", $4) : "", sprintf("%.7g", $5), sprintf("%.7g", $6),
-          sprintf("%.6g", k), $7, $8, $7 > 1 || $8 == 1 ? "yes" : "no" }' build/tables/networks.{,load.,tolerance.}"$number.csv"
+          sprintf("%.6g", k), $7, $8, ($7 > 1 || ($8 == 1 && quantity ~ /width|ratio/) ? "yes" : "no") }' < <(cat build/tables/networks.{,load.,tolerance.}"$number.csv")
   done < <(each_network) | sort -t, -k4,4gr -k1,1n | awk -v OFS=, -v quantity="$1" '{ print quantity, NR, $0 }'
 }
 
@@ -76,12 +76,13 @@ ranked() { # QUANTITY
 ranked_larger() { # QUANTITY
   local number network free
   while read -r number network free; do
+    [ -e "build/tables/networks.larger.$number.csv" ] || continue # not searched yet
     awk -F, -v OFS=, -v quantity="$1" -v number="$number" -v network="$network" -v free="$free" '
       $1 == quantity {
         sub(/=[0-9.e]+/, "", network)
         print number, network, free, sprintf("%.7g", $2), $3 == "inf" ? "" : sprintf("%.7g", $3),
           network ~ /(^|[^_a-z])b($|[^_a-z])/ ? sprintf("%.6g", $4) : "", sprintf("%.7g", $10), sprintf("%.7g", $5),
-          sprintf("%.7g", $6), $7, $8, $7 > 1 ? "yes" : "no" }' "build/tables/networks.larger.$number.csv"
+          sprintf("%.7g", $6), $7, $8, ($7 > 1 ? "yes" : "no") }' "build/tables/networks.larger.$number.csv"
   done < <(each_larger) | sort -t, -k4,4gr -k1,1n | awk -v OFS=, -v quantity="$1" '{ print quantity, NR, $0 }'
 }
 
@@ -105,7 +106,7 @@ tables() {
     "# Series-parallel networks with a second damper c_2, or with a spring k_2 beside k_s, of those with the same dynamic stiffnesses" \
     "# the first (docs/networks.md), searched as results/networks.csv: k_2 as k_s, c_2 as c_d. number: of mlg networks larger." \
     "# other: c_2 N m s/rad, k_2 N m/rad; width: of c_d, the other damper held, inf where no c_d is too large; of damping ratios" \
-    "# above 0 alone. met of two starts; converged: both."
+    "# above 0 alone. met of two starts; converged: both. Searched: $(find build/tables -name 'networks.larger.[0-9]*.csv' | wc -l) of $(each_larger | wc -l)."
   {
     echo quantity,rank,number,network,free,value,k_s,b,other,c_lo,c_hi,met,starts,converged
     for quantity in zeta width; do ranked_larger $quantity; done

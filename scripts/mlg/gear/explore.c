@@ -123,7 +123,7 @@ static int run(int argc, char *argv[])
 
 const struct command command_explore = {
   .name = "explore",
-  .usage = "LAYOUT [QUANTITY ...] [NAME=VALUE ...] [free=NAME] [b_most=300] [starts=12] [V_least=0.3]",
+  .usage = "LAYOUT [QUANTITY ...] [NAME=VALUE ...] [free=NAME] [b_most=300] [starts=12]",
   .summary = "the best designs of a layout or network, by repeated starts",
   .details =
     "QUANTITY: zeta, width, ratio, load, tolerance; all of them without.  k_s from 1e4 (from k_d,\n"
@@ -134,7 +134,7 @@ const struct command command_explore = {
     "strategy, too, none where no design is damped, and no tolerance.  With c_d, and k_s and b, the\n"
     "search begins at that design, too.\n"
     "CSV, a row for each, none where there is no interval:\n"
-    "  zeta          the largest least damping ratio over V_least < V < V_top\n"
+    "  zeta          the largest least damping ratio over V_least=0.3 < V < V_top\n"
     "  width, ratio  of the widest zero-shimmy interval c_lo to c_hi: c_hi - c_lo, c_hi/c_lo\n"
     "  load          the largest static load F_z, N, with a design without shimmy\n"
     "  tolerance     the largest p of `mlg help tolerance`, per cent, all corners tested\n"

@@ -117,7 +117,7 @@ int explore_met(const double result[], int n, double best, double same)
   int met = 0;
 
   for (int i = 0; i < n; i++)
-    met += result[i] >= best - same * fabs(best);
+    met += result[i] >= (isfinite(best) ? best - same * fabs(best) : best);
   return met;
 }
 
