@@ -42,14 +42,14 @@ layouts_as_text() {
 
 @test "of the larger family there are as many, none that fewer elements make as well" {
   local set all=0 kept=0 bridges=0 a k b
-  mlg networks larger > larger
+  mlg networks larger > listed
   for set in kCC kCCb kkCC kkCCb KKkc KKkcb; do
     read -r a k b < <(oracle count $set)
     all=$((all + a)) kept=$((kept + k)) bridges=$((bridges + b))
   done
-  [ "$(head -n 1 larger | cut -d ' ' -f 2)" -eq $((all - bridges)) ]
+  [ "$(head -n 1 listed | cut -d ' ' -f 2)" -eq $((all - bridges)) ]
   [ "$bridges" -eq 60 ]
-  [ "$(grep -c '^[0-9]' larger)" -eq "$kept" ]
+  [ "$(grep -c '^[0-9]' listed)" -eq "$kept" ]
   run --separate-stderr -2 mlg networks larger all
   [ "$stderr" = "mlg networks: 'all': expected nothing, \`larger\` or \`larger same\`" ]
 }
