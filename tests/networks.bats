@@ -224,7 +224,16 @@ some_rows() { # QUANTITY
     | oracle least | awk '$1 < 0 { print NR, $0; exit wrong = 1 } END { exit wrong || NR != 8 }'
 }
 
-# larger QUANTITY: six random rows of results/networks_larger.csv as network,value,k_s,b,c_lo,c_hi
+@test "a random row of the table of networks has its tolerance, all corners tested" {
+  local network p k_s b c_d rest words=()
+  some_rows tolerance | head -n 1 > row
+  IFS=, read -r network p k_s b c_d rest < row
+  [ "$k_s" = inf ] || words+=("k_s=$k_s")
+  [ "$b" = 0 ] || words+=("b=$b")
+  near "$(cell p tolerance "$network" "${words[@]}" c_d="$c_d" sample=0)" "$p" 2e-5 "p of $network" # the table has seven digits
+}
+
+# larger_rows QUANTITY: six random rows of results/networks_larger.csv as network,value,k_s,b,c_lo,c_hi
 larger_rows() {
   awk -F, -v OFS=, -v quantity="$1" 'BEGIN { srand(1403) }
     $1 == quantity && $6 !~ /inf/ { sub($5, $5 "=" $9, $4); row[n++] = $4 OFS $6 OFS ($7 == "" ? "inf" : $7) OFS ($8 == "" ? 0 : $8) OFS $10 OFS $11 }

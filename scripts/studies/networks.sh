@@ -123,9 +123,9 @@ draw() {
     END {
       for (i = 1; i <= m; i++) {
         k = order[i]
-        printf "%s,%d. %s %s,width %s; zeta %.3g,load %.1f kN; tolerance %s\n", text[k], i, text[k], layout[k],
+        printf "%s,%d. %s %s,width %s; zeta %.3g,load %.1f kN%s\n", text[k], i, text[k], layout[k],
           ("width" SUBSEP k) in value ? sprintf("%.6g", value["width", k]) : "none", value["zeta", k], value["load", k] / 1e3,
-          ("tolerance" SUBSEP k) in value ? sprintf("%.3g %%", value["tolerance", k]) : "none" } }' \
+          ("tolerance" SUBSEP k) in value ? sprintf("; tolerance %.3g %%", value["tolerance", k]) : "" } }' \
     results/networks.csv | mlg drawings > build/networks.svg
   mv build/networks.svg results/networks.svg
 }
