@@ -24,7 +24,11 @@ usage='usage: scripts/sweep.sh show|run|slurm|status|resume|gather|failed FILE [
 
 # What all but show and run want.
 begun() {
-  [ -s "$folder/plan" ] || fail "sweep: $name has not been begun; scripts/sweep.sh run $file begins it" 2
+  if [ ! -s "$folder/plan" ]; then
+    if [ ! -e "$folder/lock" ]; then fail "sweep: $name has not been begun; scripts/sweep.sh run $file begins it" 2; fi
+    if ! flock --nonblock "$folder/lock" true; then fail "sweep: the first cases of $name are being tried now; none is computed yet" 2; fi
+    fail "sweep: $name was ended while its first cases were tried, and none is computed; scripts/sweep.sh run $file begins it again" 2
+  fi
   read_plan
 }
 

@@ -83,6 +83,7 @@ END
   diff build/expected <(rows exact | sed 1d)
   [ "$(cut -d , -f 1 build/expected | sort -u | wc -l)" -lt "$(wc -l < build/expected)" ] # several
   grep -q ',,$' build/expected                                                            # none
+  [ "$(sed -n 3p build/sweeps/exact/table.csv)" = "# c_d N m s/rad; e m; V m/s" ]
 }
 
 @test "commands that are called again in one process answer as in one of their own" {
@@ -345,6 +346,13 @@ e = 0.1, 0.2
 ask = intervals {layout} {parameters}
 keep = c_lo'
   printf 'tyre,l\n1,0.3\n2,0.31\n' > build/numbers.csv
+  printf 'h,l\n0.1,0.3\n0.2,foo\n' > build/wrong.csv
+  printf 'h,l\n0.1,0.3\n0.2,\n' > build/empty.csv
+  printf 'layout,l\nl9,0.3\n' > build/l9.csv
+  printf 'maker,l\nacme ltd,0.3\n' > build/maker.csv
+  printf 'e,l\n0.1,0.3\n' > build/again.csv
+  printf 'l,l\n0.1,0.3\n' > build/twice.csv
+  printf 'l;h\n0,3;0,1\n' > build/semicolons.csv
   while IFS='|' read -r slip right; do
     n=$((n + 1))
     printf '%b\n' "${slip//GOOD/$good}" > build/slip.sweep
@@ -446,6 +454,89 @@ END
   scripts/sweep.sh run build/begun.sweep jobs=1 > /dev/null
   near "$(rows begun | sed -n 3p | cut -d , -f 3)" "$(cell psi_max cycle l1 g_psi=0.004 V=20 c_d=2886.7 corner=0.01 psi=0.05)" 1e-5 psi_max
   cmp build/sweeps/begun/runs/2/start.dat <(mlg cycle l1 orbit g_psi=0.004 V=20 c_d=2886.7 corner=0.01 psi=0.05)
+}
+
+@test "a table says in which units its columns are: psi_max of AUTO in degrees" {
+  sweep degrees <<'END'
+layout = l1, li1
+V = 60
+c_d = 2890
+g_psi = 0.004
+ask = cycle {layout} motion {parameters} psi=0.05 settle=1
+keep = motion, psi_most as most, watched
+ask = hopf {layout} V_least=1 c_d=3e4
+rows = first
+keep = V as V_hopf, grows
+END
+  mkdir -p build/degrees build/apart
+  mlg cases build/degrees.sweep block=1 size=2 folder=build/degrees
+  mlg cases build/degrees.sweep gather size=2 folder=build/degrees
+  [ "$(grep '^#' build/degrees/table.csv | tail -n 1)" = "# most deg; watched s; V_hopf m/s" ]
+  mlg cases build/degrees.sweep block=2 size=1 folder=build/apart
+  mlg cases build/degrees.sweep block=1 size=1 folder=build/apart
+  mlg cases build/degrees.sweep gather size=1 folder=build/apart
+  cmp build/degrees/table.csv build/apart/table.csv
+}
+
+@test "kill -9 of the group: what is computed ends, status tells, nothing is left over, resume goes on" {
+  local pid
+  sweep group <<< "layout = l1, l2
+e = 0.05 : 0.2 : 4000
+block = 8000
+ask = damping {layout} best {parameters}
+keep = zeta"
+  setsid scripts/sweep.sh run build/group.sweep jobs=1 > /dev/null 2>&1 &
+  pid=$!
+  until_true 60 has_records group
+  scripts/sweep.sh status build/group.sweep | grep -q ', 1 begun, 1 of them being computed now$'
+  kill -KILL -- -"$(ps -o pgid= "$(pgrep -f 'sweep.sh run build/group.swee[p]' | head -n 1)" | xargs)"
+  wait $pid || true
+  until_true 5 bash -c "scripts/sweep.sh status build/group.sweep | grep -q ', 1 begun, 0 of them being computed now$'"
+  [ -z "$(find build/sweeps/group -name 'todo.*')" ]
+}
+
+@test "what is ended while it tries its first cases says so; a slip found by trying is one line and leaves nothing" {
+  local file word
+  sweep tried <<< "layout = l1
+e = 0.1, 0.12
+ask = hopf {layout} {parameters} c_d=3e4
+keep = V"
+  mkdir -p build/sweeps/tried/scratch.try
+  : > build/sweeps/tried/lock
+  run -2 scripts/sweep.sh status build/tried.sweep
+  [ "$output" = "sweep: tried was ended while its first cases were tried, and none is computed; scripts/sweep.sh run build/tried.sweep begins it again" ]
+  flock build/sweeps/tried/lock sleep 5 &
+  until_true 5 bash -c '! flock --nonblock build/sweeps/tried/lock true'
+  run -2 scripts/sweep.sh gather build/tried.sweep
+  [ "$output" = "sweep: the first cases of tried are being tried now; none is computed yet" ]
+  kill $!
+  rm -r build/sweeps/tried
+  for word in "keep = V, shimy" "keep = V\nrows = largest shimy"; do
+    printf 'layout = l1\ne = 0.1, 0.12\nask = hopf {layout} {parameters} c_d=3e4\n%b\n' "$word" > build/tried.sweep
+    for file in show run; do
+      run -2 scripts/sweep.sh $file build/tried.sweep
+      [ "$output" = "build/tried.sweep:$(grep -n shimy build/tried.sweep | cut -d : -f 1): 'shimy': mlg hopf prints no such column; it has c_d V frequency_hz shimmy grows" ]
+      [ ! -e build/sweeps/tried ]
+    done
+  done
+  printf 'layout = l1\ne = 0.1, 0.12\nask = hopf {layout} {parameters} c_d=3e4\nnames = c_d, V, f, s, g\nkeep = V' > build/tried.sweep
+  run -2 scripts/sweep.sh run build/tried.sweep
+  [[ $output = *"mlg hopf prints the names of its columns itself; take the line names away" ]]
+}
+
+@test "a CSV and a description as Windows writes them; show tells what fails and lists what stands in a CSV" {
+  printf '\xef\xbb\xbflayout, c_d ,e\r\nl1 , 3e4, 0.1\r\nl1,3e4,0.14\r\nl1,3e4,1e-4\r\n' > build/marked.csv
+  printf '\xef\xbb\xbfcases = marked.csv\r\nask = damping {layout} best {parameters}\r\nkeep = zeta\r\n' > build/marked.sweep
+  sed -i 's/ best//' build/marked.sweep
+  mlg cases build/marked.sweep > build/shown
+  grep -q '^  e            0.1, 0.14, 1e-4$' build/shown
+  grep -q 'mlg damping l1 c_d=3e4 e=0.14$' build/shown
+  sweep partly <<< "file = constants/gear.printed, build/none
+ask = hopf l1 gear={file} c_d=3e4
+keep = V
+rows = first"
+  run -0 scripts/sweep.sh show build/partly.sweep
+  [[ $output = *"of 2 cases tried 1 failed;"*"case 2, command 1, status 2: build/none: No such file"*" blocks of "* ]]
 }
 
 @test "the examples of docs/sweeps.md" {

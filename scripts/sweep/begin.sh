@@ -53,14 +53,34 @@ count_of() { # NAME=N MOST
 # mlg cases for the blocks of this sweep
 cases() { mlg cases "$file" "$@" folder="$folder" size="$size" || exit $?; }
 
-# Sets tried, seconds and bytes by trying some cases.
-try_cases() {
-  local line
+# Waits until nobody else tries cases of this sweep; what they leave of runs would mix.
+lock_folder() {
   mkdir -p "$folder"
-  line=$(mlg cases "$file" plan folder="$folder") || exit $?
-  for line in $line; do
-    case $line in tried=* | failed=* | seconds=* | bytes=*) declare -g "$line" ;; esac
-  done
+  exec 6> "$folder/lock"
+  flock 6
+}
+
+# A folder with no plan holds nothing.
+unlock_folder() {
+  if [ ! -s "$folder/plan" ]; then
+    rm -rf "$folder/lock" "$folder/plan.new" "$folder/scratch.try"
+    rmdir "$folder" 2> /dev/null || true
+  fi
+  exec 6>&-
+}
+
+# Sets tried, failed, why, seconds and bytes by trying some cases.
+try_cases() {
+  local line lines status=0
+  why=''
+  lines=$(mlg cases "$file" plan folder="$folder" 6>&-) || status=$?
+  if [ "$status" != 0 ]; then
+    unlock_folder
+    exit "$status"
+  fi
+  while read -r line; do
+    case $line in tried=* | failed=* | why=* | seconds=* | bytes=*) declare -g "$line" ;; esac
+  done <<< "$lines"
   total=$(mlg cases "$file" | sed -n '1s/.*: \([0-9]*\) cases/\1/p')
 }
 
@@ -78,15 +98,17 @@ block_of() {
 }
 
 show() {
+  lock_folder
+  try_cases # first: what it finds wrong is the one line then
   mlg cases "$file"
-  try_cases
-  awk -v tried="$tried" -v failed="$failed" -v seconds="$seconds" -v bytes="$bytes" -v total="$total" -v jobs="$jobs" -v size="$(block_of)" '
+  why=$why awk -v tried="$tried" -v failed="$failed" -v seconds="$seconds" -v bytes="$bytes" -v total="$total" -v jobs="$jobs" -v size="$(block_of)" '
     function time(s) { return s < 120 ? sprintf("%.3g s", s) : s < 7200 ? sprintf("%.3g min", s / 60) : s < 172800 ? sprintf("%.3g h", s / 3600) : sprintf("%.3g days", s / 86400) }
     BEGIN {
       printf "  of %d cases tried %d failed; %.3g ms a case\n", tried, failed, 1e3 * seconds
-      printf "  about %s on 1 core, %s on %d; %.3g MB of tables, as much of blocks: %.0f of %d cases\n",
+      if (ENVIRON["why"] != "") printf "    %s\n", ENVIRON["why"]
+      printf "  about %s on 1 core, %s on %d; %.3g MB of tables, as much of blocks: %.0f blocks of %d cases\n",
         time(total * seconds), time(total * seconds / jobs), jobs, total * bytes / 1e6, int((total + size - 1) / size), size }'
-  [ -s "$folder/plan" ] || rmdir "$folder" 2> /dev/null || true
+  unlock_folder
 }
 
 # Sums of all that the numbers hang on: the description, its files, the equations; with runs of
@@ -107,14 +129,12 @@ read_plan() {
 
 # Sets size: that of the plan, or a new plan's.
 begin() {
-  mkdir -p "$folder"
-  exec 6> "$folder/lock"
-  flock 6
+  lock_folder
   if [ ! -s "$folder/plan" ]; then
     try_cases
     { echo "size=$(block_of)" && sums; } > "$folder/plan.new"
     mv "$folder/plan.new" "$folder/plan"
   fi
-  exec 6>&-
+  unlock_folder
   read_plan
 }

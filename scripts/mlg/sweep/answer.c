@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "arguments.h"
+
 enum { MOST_CELLS = 128 };
 
 struct cells { char *at[MOST_CELLS]; int n; };
@@ -46,9 +48,20 @@ static int place(char *const name[], int names, const char *wanted)
   return -1;
 }
 
-static int no_column(const struct step *step, const char *wanted, char *const name[], int names, struct text *why)
+/* Without commas, for it may be a cell of failed.csv. */
+static int no_column(const struct sweep *s, const struct step *step, int line, const char *wanted, char *const name[], int names,
+                     struct text *why)
 {
-  text_add(why, "mlg %s prints no column %s; it has", step->command->name, wanted);
+  double x;
+
+  text_add(why, "%s:%d: '%s': ", s->file, line, wanted);
+  for (int i = 0; i < names && !step->names; i++)
+    if (is_number(name[i], &x)) {
+      text_add(why, "mlg %s begins with numbers (%s); not with the names of its columns: a line names = ... has to say these", step->command->name, name[i]);
+      return -1;
+    }
+  text_add(why, step->names ? "the line names of mlg %s has no such column; it has" : "mlg %s prints no such column; it has",
+           step->command->name);
   for (int i = 0; i < names; i++)
     text_add(why, " %s", name[i]);
   return -1;
@@ -80,10 +93,25 @@ static bool is_better(const struct step *step, const char *cell, double *best, b
   return true;
 }
 
-static int rows_of(const struct step *step, char *output, struct answer *a, struct text *why)
+/* Whether the first row under given names are the names that the command prints itself. */
+static bool are_names(const struct step *step, const struct cells *c)
+{
+  int same = 0;
+  double x;
+
+  for (int i = 0; i < c->n; i++) {
+    if (is_number(c->at[i], &x) || !*c->at[i])
+      return false;
+    same += i < step->names && strcmp(c->at[i], step->name[i]) == 0;
+  }
+  return same > 0;
+}
+
+static int rows_of(const struct sweep *s, const struct step *step, char *output, struct answer *a, struct text *why)
 {
   struct cells names, c;
   int kept[MOST_COLUMNS], by = -1;
+  bool first = true;
   double best = NAN;
   char *line;
 
@@ -96,15 +124,20 @@ static int rows_of(const struct step *step, char *output, struct answer *a, stru
     return 0;
   for (int k = 0; k < step->keeps; k++)
     if ((kept[k] = place(names.at, names.n, step->keep[k].name)) < 0)
-      return no_column(step, step->keep[k].name, names.at, names.n, why);
+      return no_column(s, step, step->keep_line, step->keep[k].name, names.at, names.n, why);
   if (step->rows_column && (by = place(names.at, names.n, step->rows_column)) < 0)
-    return no_column(step, step->rows_column, names.at, names.n, why);
+    return no_column(s, step, step->rows_line, step->rows_column, names.at, names.n, why);
   while ((line = next_line(&output)) != NULL) {
     cut(line, &c);
     if (c.n != names.n) {
       text_add(why, "mlg %s prints a row of %d cells under %d names", step->command->name, c.n, names.n);
       return -1;
     }
+    if (step->names && first && are_names(step, &c)) {
+      text_add(why, "mlg %s prints the names of its columns itself; take the line names away", step->command->name);
+      return -1;
+    }
+    first = false;
     if (step->rows != ROWS_ALL && !is_better(step, by >= 0 ? c.at[by] : NULL, &best, a->rows == 0))
       continue;
     if (step->rows != ROWS_ALL)
@@ -165,8 +198,8 @@ int take_answer(const struct sweep *s, const struct step *step, char *output, st
   struct answer own = { TEXT_NONE, 0 };
 
   if (is_first_question(s, step))
-    return rows_of(step, output, a, why);
-  int status = rows_of(step, output, &own, why);
+    return rows_of(s, step, output, a, why);
+  int status = rows_of(s, step, output, &own, why);
 
   if (status == 0)
     status = join(s, step, a, &own, why);

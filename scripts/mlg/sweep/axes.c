@@ -60,19 +60,41 @@ bool is_parameter(const char *name)
   return range_of(name, &unit, &least, &most);
 }
 
-/* One value as it stands in the description or a table. */
-static void check_value(const struct sweep *s, const char *name, const char *value, int line)
+const char *parameter_unit(const char *name)
+{
+  const char *unit;
+  double least, most;
+
+  return range_of(name, &unit, &least, &most) && *unit && strcmp(unit, "-") != 0 ? unit : NULL;
+}
+
+/* Whether a number stands before something else, such as a unit. */
+static bool begins_with_number(const char *text)
+{
+  char *end;
+
+  strtod(text, &end);
+  return end > text && *end;
+}
+
+void check_value(const struct sweep *s, const char *name, const char *value, int line)
 {
   const char *unit;
   double least, most, x;
 
+  const bool ranged = range_of(name, &unit, &least, &most);
+
+  if (!*value && s->place)
+    slip(s, line, value, "the cell is empty; expected a value of %s in each row", name);
+  if (ranged && begins_with_number(value))
+    slip(s, line, value, "expected a number by itself, %s in %s", name, unit);
   if (!*value || strpbrk(value, " \t\"{}"))
     slip(s, line, value, "expected a value of %s without blanks, quotes and braces", name);
   if (strlen(value) >= VALUE_SIZE)
     slip(s, line, value, "longer than %d characters", VALUE_SIZE - 1);
   if (strcmp(name, "layout") == 0 && libmlg_layout(value) == LIBMLG_NONE)
     slip(s, line, value, "no such layout; `mlg help` lists them");
-  if (!range_of(name, &unit, &least, &most) || (strcmp(name, "k_s") == 0 && strcmp(value, "inf") == 0))
+  if (!ranged || (strcmp(name, "k_s") == 0 && strcmp(value, "inf") == 0))
     return;
   if (!is_number(value, &x))
     slip(s, line, value, "expected a number, %s in %s", name, unit);
@@ -90,10 +112,12 @@ static void check_ends(const struct sweep *s, const struct axis *a)
   }
 }
 
-static struct axis *new_axis(struct sweep *s, const char *name, const char *given, int line)
+struct axis *new_axis(struct sweep *s, const char *name, const char *given, int line)
 {
-  if (find_axis(s, name, strlen(name)) >= 0)
-    slip(s, line, name, "given twice, also in line %d", s->axis[find_axis(s, name, strlen(name))].line);
+  const int other = find_axis(s, name, strlen(name));
+
+  if (other >= 0)
+    slip(s, line, name, "given twice, also in line %d, %s", s->axis[other].line, s->axis[other].given);
   for (const char *const *own = (const char *const[]){ "case", "parameters", "at", "command", "status", "reason", NULL }; *own; own++)
     if (strcmp(name, *own) == 0)
       slip(s, line, name, "a name of its own: of a {word}, or of a column of failed.csv");
@@ -105,7 +129,7 @@ static struct axis *new_axis(struct sweep *s, const char *name, const char *give
   return a;
 }
 
-static int new_dimension(struct sweep *s, long long count)
+int new_dimension(struct sweep *s, long long count)
 {
   s->count[s->dimensions] = count;
   return s->dimensions++;
@@ -197,64 +221,13 @@ void add_axis(struct sweep *s, const char *name, const char *values, int line)
   } else if (reads(values, 2, "%lf +- %lf %%", x, &ratios) && !ratios) {
     a->from = x[0] - 0.01 * fabs(x[0]) * x[1], a->to = x[0] + 0.01 * fabs(x[0]) * x[1];
     sample_of(s, a);
-  } else if (strpbrk(values, ":~%")) {
+  } else if (strpbrk(values, ":~%") || strstr(values, "+-")) {
     slip(s, line, values, "expected FROM : TO : N [log], FROM : TO by STEP, FROM ~ TO [log], X +- P %%, or a list A, B, ...");
   } else {
     list_of(s, a, values);
     return;
   }
   check_ends(s, a);
-}
-
-void add_table(struct sweep *s, const char *file, int line)
-{
-  struct text text = TEXT_NONE, why = TEXT_NONE;
-  const int first = s->axes;
-  long rows = 0;
-  int number = 0;
-
-  if (read_file(file, &text, &why) != 0)
-    slip(s, line, file, "%s", why.at);
-  for (char *at = text.at, *next; at; at = next) {
-    next = strchr(at, '\n');
-    if (next)
-      *next++ = '\0';
-    number++;
-    at[strcspn(at, "\r")] = '\0';
-    if (*at == '#' || *at == '\0')
-      continue;
-    int column = first;
-
-    for (char *cell = at; cell; column++) {
-      char *comma = strchr(cell, ',');
-
-      if (comma)
-        *comma++ = '\0';
-      if (rows == 0) {
-        struct axis *a = new_axis(s, cell, file, line);
-
-        a->kind = AXIS_LIST;
-      } else if (column >= s->axes)
-        slip(s, line, file, "row %d has more cells than there are names", number);
-      else {
-        struct axis *a = &s->axis[column];
-
-        check_value(s, a->name, cell, line);
-        a->text = must_resize(a->text, (size_t)rows * sizeof *a->text);
-        a->text[rows - 1] = strdup(cell);
-      }
-      cell = comma;
-    }
-    if (column < s->axes)
-      slip(s, line, file, "row %d has fewer cells than there are names", number);
-    rows++;
-  }
-  if (rows < 2)
-    slip(s, line, file, "expected a line of names, and a row for each case");
-  s->table_dimension = new_dimension(s, rows - 1);
-  for (int i = first; i < s->axes; i++)
-    s->axis[i].dimension = s->table_dimension;
-  text_free(&text);
 }
 
 /* The points of the sample: coordinate k of point i is i/g^(k+1) mod 1, shifted by a half,
@@ -283,9 +256,10 @@ void settle_axes(struct sweep *s)
   double cases = 1.;
 
   if (s->sample && !s->coordinates)
-    slip(s, 0, NULL, "sample = N wants a NAME = FROM ~ TO or X +- P %%");
-  if (!s->sample && s->coordinates)
-    slip(s, 0, NULL, "FROM ~ TO and X +- P %% want a line sample = N, the number of points");
+    slip(s, s->sample_line, "sample", "sample = N wants a NAME = FROM ~ TO or X +- P %%");
+  for (int i = 0; i < s->axes && !s->sample; i++)
+    if (s->axis[i].kind == AXIS_SAMPLE)
+      slip(s, s->axis[i].line, s->axis[i].given, "FROM ~ TO and X +- P %% want a line sample = N, the number of points");
   if (s->sample)
     settle_sample(s);
   s->cases = 1;

@@ -70,6 +70,10 @@ static void index_records(const struct blocks *b, long long k, struct block *blo
     struct record r;
 
     n = read_record(block->bytes.at + block->whole, block->bytes.length - block->whole, &r);
+    if (n > 0 && r.units) {
+      block->units = block->units.text ? block->units : r;
+      continue;
+    }
     if (n == 0 || r.n < block->first || r.n >= block->first + block->cases)
       break;
     struct record *known = &block->record[r.n - block->first];
@@ -94,6 +98,19 @@ int read_block(const struct blocks *b, long long k, enum block_state state, stru
   text_add(why, "%s is damaged: %ld of its %ld cases can be read; remove it, and resume computes them", path, block->known,
            block->cases);
   return -1;
+}
+
+bool is_at_work(const struct blocks *b, long long k)
+{
+  char path[PATH];
+
+  block_file(b, k, BLOCK_PART, path);
+  const int file = open(path, O_RDONLY | O_CLOEXEC);
+  const bool locked = file >= 0 && flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+
+  if (file >= 0)
+    close(file);
+  return locked;
 }
 
 struct output { int file; const char *path; off_t whole; };
@@ -177,7 +194,7 @@ static int fill_part(const struct blocks *b, long long k, bool retry, struct out
     snprintf(scratch, sizeof scratch, "%s/runs", b->folder);
   else
     snprintf(scratch, sizeof scratch, "%s/scratch.%lld", elsewhere && *elsewhere ? elsewhere : b->folder, k);
-  const int status = n > 0 ? compute_cases(b->sweep, cases, n, scratch, (struct sink){ append, o }) : 0;
+  const int status = n > 0 ? compute_cases(b->sweep, cases, n, scratch, block->units.text == NULL, (struct sink){ append, o }) : 0;
 
   if (!b->sweep->keeps_files)
     remove_folder(scratch);

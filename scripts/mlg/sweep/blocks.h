@@ -27,6 +27,7 @@ struct block {
   long cases;
   struct record *record; /* by case - first; n = 0: none */
   long known, failed;    /* how many have one; and of these have failed */
+  struct record units;   /* of its columns; text NULL: no record says them */
   size_t whole;          /* bytes of the file up to where it ends or is damaged */
   struct text bytes;
 };
@@ -34,6 +35,9 @@ struct block {
 /* Reads the file of a block in that state.  Returns 0, or -1 with a line in why. */
 int read_block(const struct blocks *blocks, long long k, enum block_state state, struct block *block, struct text *why);
 void free_block(struct block *block);
+
+/* Whether a process computes block k, of which there is a part. */
+bool is_at_work(const struct blocks *blocks, long long k);
 
 /* Computes what block k lacks; with retry what has failed once more.  Waits while another
  * process is at it.  Returns 0, or 1 after a line that says why. */

@@ -1,8 +1,10 @@
 /* cases.c - mlg cases: the cases of a sweep, counted, computed in blocks, gathered */
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <time.h>
 
 #include "arguments.h"
@@ -14,9 +16,20 @@
 
 static const char name[] = "cases";
 
-enum { SHOWN = 3 };
+enum { SHOWN = 3, MOST_LISTED = 6 };
 
 /* --- what a description means ----------------------------------------------------------- */
+
+/* As they stand: they need not rise. */
+static void print_list(const struct axis *a, long long n)
+{
+  for (long long i = 0; i < n; i++)
+    if (n <= MOST_LISTED || i < MOST_LISTED - 2 || i == n - 1)
+      printf("%s%s", i == 0 ? "" : i == n - 1 && n > MOST_LISTED ? ", ..., " : ", ", a->text[i]);
+  printf("%s", n > MOST_LISTED ? "" : "\n");
+  if (n > MOST_LISTED)
+    printf(": %lld values\n", n);
+}
 
 static void print_axes(const struct sweep *s)
 {
@@ -30,6 +43,8 @@ static void print_axes(const struct sweep *s)
       printf("%s\n", axis_value(s, i, 1, first));
     else if (a->kind == AXIS_SAMPLE)
       printf("%.10g to %.10g%s, %lld points of a sample\n", a->from, a->to, a->ratios ? " by ratios" : "", n);
+    else if (a->kind == AXIS_LIST)
+      print_list(a, n);
     else
       printf("%s to %s, %lld values\n", axis_value(s, i, 1, first), axis_value(s, i, s->cases, last), n);
   }
@@ -111,7 +126,7 @@ static int plan(const struct sweep *s, const char *folder)
     text_clear(&taken.text);
     const double began = seconds();
 
-    if (compute_cases(s, list, m, scratch, (struct sink){ take, &taken }) != 0)
+    if (compute_cases(s, list, m, scratch, false, (struct sink){ take, &taken }) != 0)
       return MLG_FAILED;
     time = seconds() - began;
     cases = m;
@@ -125,12 +140,25 @@ static int plan(const struct sweep *s, const char *folder)
       if (slip_of.n == 0)
         slip_of = r;
     }
+  const bool tells_line = slip_of.length > strlen(s->file) && memcmp(slip_of.text, s->file, strlen(s->file)) == 0
+                          && slip_of.text[strlen(s->file)] == ':';
+
+  if (failed == cases && tells_line) {
+    struct text why = TEXT_NONE;
+
+    text_add(&why, "%.*s", (int)slip_of.length, slip_of.text);
+    say_line(NULL, why.at);
+    exit(MLG_BAD_INPUT);
+  }
   if (failed == cases && (cases >= 4 || cases == s->cases || slip_of.status == MLG_BAD_INPUT))
     slip(s, slip_of.step > 0 ? s->step[slip_of.step - 1].line : 0, slip_of.step > 0 ? s->step[slip_of.step - 1].command->name : NULL,
          "all %ld cases that were tried fail, case %lld with status %d: %.*s", cases, slip_of.n, slip_of.status,
          (int)slip_of.length, slip_of.text);
   printf("tried=%ld\nfailed=%ld\nseconds=%.3g\nbytes=%.0f\n", cases, failed, time / (double)cases,
          (double)taken.text.length / (double)cases + 40.);
+  if (failed > 0)
+    printf("why=case %lld, command %d, status %d: %.*s\n", slip_of.n, slip_of.step, slip_of.status, (int)slip_of.length,
+           slip_of.text);
   text_free(&taken.text);
   return MLG_OK;
 }
@@ -157,6 +185,8 @@ static int print_status(const struct blocks *b)
   printf("  %lld of %lld cases, %lld of %lld blocks", t.known, b->sweep->cases, t.blocks[BLOCK_DONE] + t.blocks[BLOCK_FAILED], b->n);
   if (t.blocks[BLOCK_PART] > 0)
     printf(", %lld begun", t.blocks[BLOCK_PART]);
+  if (t.blocks[BLOCK_PART] > 0)
+    printf(", %lld of them being computed now", t.at_work);
   if (t.failed > 0)
     printf("; %lld cases failed", t.failed);
   printf("\n");
@@ -222,6 +252,8 @@ static int run_cases(int argc, char *argv[])
 
   if (r.block > blocks.n)
     fail(name, MLG_BAD_INPUT, "there are %lld blocks, and no block %ld", blocks.n, r.block);
+  if (strcmp(r.what, "block") == 0 && prctl(PR_SET_PDEATHSIG, SIGTERM) != 0)
+    fail(name, MLG_FAILED, "cannot ask to be told of the end of its parent");
   if (strcmp(r.what, "block") == 0)
     return compute_block(&blocks, r.block, r.retry);
   if (strcmp(r.what, "todo") == 0)
@@ -240,9 +272,10 @@ const struct command command_cases = {
     "  show     the number of cases, what varies, the commands of the first three and the last\n"
     "  files    the files it hangs on\n"
     "  plan     tries cases from all over it for a second: seconds and bytes of a case\n"
-    "  block=K  computes the block of cases (K-1) N + 1 to K N into DIR/blocks, or goes on with it\n"
+    "  block=K  computes the block of cases (K-1) N + 1 to K N into DIR/blocks, or goes on with it;\n"
+    "           it ends, in order, with the process that began it\n"
     "  todo     the numbers of the blocks that are not done; retry: and of those with failed cases\n"
-    "  status   how many are done\n"
+    "  status   how many are done, and whether some are being computed now\n"
     "  gather   DIR/table.csv and failed.csv, or partial.csv while some are not done (status 1)\n"
     "  failed   the failed cases, with the number of the command, its status and the reason\n"
     "retry: block=K computes its failed cases once more.  A block's file is written as it goes;\n"

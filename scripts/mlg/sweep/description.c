@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <unistd.h>
 
 #include "arguments.h"
@@ -25,10 +26,17 @@ _Noreturn void slip(const struct sweep *sweep, int line, const char *value, cons
   text_add(&text, "%s", sweep->file);
   if (line > 0)
     text_add(&text, ":%d", line);
+  if (sweep->place)
+    text_add(&text, ": %s", sweep->place);
   text_add(&text, value ? ": '%.200s': " : ": ", value);
   text_add(&text, "%s", what);
   say_line(NULL, text.at);
   exit(MLG_BAD_INPUT);
+}
+
+char *behind_mark(char *text)
+{
+  return strncmp(text, "\xef\xbb\xbf", 3) == 0 ? text + 3 : text;
 }
 
 static char *trimmed(char *text)
@@ -63,7 +71,8 @@ static double quantity(const struct sweep *sweep, const char *value, const char 
   if (n < sizeof number)
     memcpy(number, value, n);
   if (!is_number(number, &x) || (*rest && strcmp(rest, unit) != 0) || !(x >= least && x <= most))
-    slip(sweep, line, value, "expected a number from %g to %g%s%s", least, most, *unit ? ", " : "", unit);
+    slip(sweep, line, value, "expected a number from %g to %g%s%s%s", least, most, *unit ? ", in " : "", unit,
+         *unit ? " or without a unit" : "");
   return x;
 }
 
@@ -108,12 +117,18 @@ static char *file_of(const struct sweep *s, const char *value)
 static void take_setting(struct sweep *s, enum setting setting, const char *value, int line)
 {
   switch (setting) {
-  case GEAR: s->gear = file_of(s, value); break;
+  case GEAR:
+    s->gear = file_of(s, value);
+    s->gear_line = line;
+    break;
   case CASES:
     s->table = file_of(s, value);
     add_table(s, s->table, line);
     break;
-  case SAMPLE: s->sample = whole(s, value, 1e12, line); break;
+  case SAMPLE:
+    s->sample = whole(s, value, 1e12, line);
+    s->sample_line = line;
+    break;
   case TIME: s->time_limit = quantity(s, value, "s", 0.01, 1e6, line); break;
   case MEMORY: s->memory_limit = (long)quantity(s, value, "MB", 64, 1e6, line); break;
   case BLOCK: s->block = whole(s, value, 1e9, line); break;
@@ -142,6 +157,15 @@ static bool is_identifier(const char *key)
   return true;
 }
 
+/* The setting that a name is but for capitals; NULL: none, or a parameter. */
+static const char *capital_of(const char *key)
+{
+  for (int i = 0; i < SETTINGS; i++)
+    if (strcasecmp(setting_name[i], key) == 0 && !is_parameter(key))
+      return setting_name[i];
+  return strcasecmp("layout", key) == 0 && strcmp("layout", key) != 0 ? "layout" : NULL;
+}
+
 /* One line, with those that continue it. */
 static void take_line(struct sweep *s, char *text, int line, bool given[SETTINGS])
 {
@@ -154,6 +178,8 @@ static void take_line(struct sweep *s, char *text, int line, bool given[SETTINGS
   char *key = trimmed(text), *value = trimmed(equals + 1);
 
   setting = setting_of(key);
+  if (setting == SETTINGS && is_identifier(key) && capital_of(key))
+    slip(s, line, key, "not %s? names are in small letters, unless they are those of parameters", capital_of(key));
   if (!*value)
     slip(s, line, key, "no value behind =");
   if (setting == SETTINGS && !is_identifier(key))
@@ -166,6 +192,19 @@ static void take_line(struct sweep *s, char *text, int line, bool given[SETTINGS
     take_setting(s, setting, value, line);
   if (setting < SETTINGS)
     given[setting] = true;
+}
+
+/* Whether a line looks as if it were meant to stand by itself: "ask = ...", "e = ..."; words of
+ * a command, such as keep=UZ, have no blank before =. */
+static bool begins_anew(const char *text)
+{
+  const size_t n = strcspn(text, " \t=");
+  char key[40] = "";
+
+  if (n >= sizeof key || text[n] == '=' || text[n + strspn(text + n, " \t")] != '=')
+    return false;
+  memcpy(key, text, n);
+  return setting_of(key) < SETTINGS || is_parameter(key) || strcmp(key, "layout") == 0;
 }
 
 void read_sweep(const char *file, struct sweep *s)
@@ -182,7 +221,7 @@ void read_sweep(const char *file, struct sweep *s)
   if (strlen(text.at) != text.length)
     slip(s, 0, NULL, "holds a zero byte; not the description of a sweep");
   text_clear(&line);
-  for (char *at = text.at, *next; at; at = next) {
+  for (char *at = behind_mark(text.at), *next; at; at = next) {
     next = strchr(at, '\n');
     if (next)
       *next++ = '\0';
@@ -192,6 +231,10 @@ void read_sweep(const char *file, struct sweep *s)
 
     if (*trimmed(at) == '\0')
       continue;
+    if (continues && begins_anew(trimmed(at)))
+      slip(s, number, trimmed(at), "a line that begins with a blank goes on with the one before; take the blank away");
+    if (isspace((unsigned char)*at) && !continues)
+      slip(s, number, trimmed(at), "a line that begins with a blank goes on with the one before, and there is none");
     if (!continues && line.length > 0) {
       take_line(s, line.at, first, given);
       text_clear(&line);

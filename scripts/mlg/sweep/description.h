@@ -47,11 +47,11 @@ struct step {
   char *word[MOST_WORDS]; /* the first is the command; with {NAME} in them */
   int words;
   struct column keep[MOST_COLUMNS];
-  int keeps;
+  int keeps, keep_line, rows_line;
   char *name[MOST_COLUMNS]; /* of the cells, where the command prints none */
+  const char *unit[MOST_COLUMNS]; /* of these; NULL: not given */
   int names;
   enum rows_kind rows;
-  bool has_rows; /* whether a line says so */
   char *rows_column;
   char *into;               /* the file, among the runs of the case, that its output goes into too; NULL: none */
   bool takes[MOST_AXES]; /* which axes its {parameters} stand for */
@@ -59,12 +59,14 @@ struct step {
 
 struct sweep {
   const char *file;
+  const char *place; /* in a file that it names, for messages: "some.csv:3, column e"; NULL: none */
   struct axis axis[MOST_AXES];
   int axes;
   long long count[MOST_AXES]; /* of each dimension, the last fastest */
   int dimensions;
   int sample_dimension, table_dimension; /* -1: none */
   long long sample;                      /* its number of points, 0: none asked for */
+  int sample_line, gear_line;
   int coordinates;                       /* sampled axes */
   uint64_t stride[MOST_AXES];            /* of each coordinate, in 2^-64 */
   long long cases;
@@ -78,19 +80,30 @@ struct sweep {
 };
 
 /* Reads and checks a description.  A slip ends the program with one line
- * "FILE:LINE: 'VALUE': what would be right" and status 2. */
+ * "FILE:LINE: 'VALUE': what would be right" and status 2; of a value in a file that it
+ * names "FILE:LINE: PLACE: 'VALUE': ...". */
 void read_sweep(const char *file, struct sweep *sweep);
 
 /* That line; LINE 0: of the file as a whole. */
 _Noreturn void slip(const struct sweep *sweep, int line, const char *value, const char *right, ...)
   __attribute__((format(printf, 4, 5)));
 
+/* A text without the mark that Windows begins files with (UTF-8's BOM). */
+char *behind_mark(char *text);
+
 /* --- axes.c --------------------------------------------------------------------------- */
 
 /* A line NAME = VALUES.  Dimensions are numbered as they come. */
 void add_axis(struct sweep *sweep, const char *name, const char *values, int line);
 
-/* The columns of a table of cases. */
+/* A new name that varies, GIVEN there, or a slip. */
+struct axis *new_axis(struct sweep *sweep, const char *name, const char *given, int line);
+int new_dimension(struct sweep *sweep, long long count);
+
+/* A slip unless this value may stand behind that name. */
+void check_value(const struct sweep *sweep, const char *name, const char *value, int line);
+
+/* casefile.c: the columns of a table of cases. */
 void add_table(struct sweep *sweep, const char *file, int line);
 
 /* What only the whole description tells: the number of cases, the values at the ends. */
@@ -106,6 +119,9 @@ int find_axis(const struct sweep *sweep, const char *name, size_t length); /* -1
 
 /* Whether a name is one that the words of mlg take as NAME=VALUE of the gear. */
 bool is_parameter(const char *name);
+
+/* Its unit; NULL: it is none, or has none. */
+const char *parameter_unit(const char *name);
 
 /* --- words.c -------------------------------------------------------------------------- */
 

@@ -21,6 +21,7 @@
 #include <unistd.h>
 
 #include "child.h"
+#include "unitline.h"
 
 static void bound(int resource, rlim_t most)
 {
@@ -59,12 +60,16 @@ bool begin_evaluator(struct evaluator *e, const struct sweep *sweep, const char 
 
 void first_complaint(int complaints, struct text *text)
 {
-  char line[300];
+  char line[1000];
   const ssize_t n = pread(complaints, line, sizeof line - 1, 0);
 
   text_clear(text);
   line[n > 0 ? n : 0] = '\0';
-  line[strcspn(line, "\n")] = '\0';
+  const size_t whole = strcspn(line, "\n");
+
+  line[whole] = '\0';
+  if (n == sizeof line - 1 && whole == (size_t)n && strrchr(line, ' ')) /* cut between words */
+    strcpy(strrchr(line, ' ') < line + n - 4 ? strrchr(line, ' ') : line + n - 4, " ...");
   for (char *t = line; *t; t++)
     *t = *t == ',' ? ';' : iscntrl((unsigned char)*t) || *t == '"' ? ' ' : *t;
   text_add(text, "%s", *line ? line : "no reason was given");
@@ -143,6 +148,18 @@ static int put_into(struct evaluator *e, const char *name, size_t length)
   return status;
 }
 
+bool units_known(struct evaluator *e)
+{
+  text_clear(&e->units);
+  for (int i = 0; i < e->sweep->steps; i++) {
+    if (e->sweep->step[i].asks && !e->has_units[i])
+      return false;
+    if (e->unit[i].length > 0)
+      text_add(&e->units, "%s%s", e->units.length > 0 ? "; " : "", e->unit[i].at);
+  }
+  return true;
+}
+
 /* Returns the status of the first command that fails. */
 static int take_steps(struct evaluator *e, long long n)
 {
@@ -163,6 +180,8 @@ static int take_steps(struct evaluator *e, long long n)
     const off_t length = ftello(e->output);
 
     e->printed[length] = '\0';
+    if (step->asks && !e->has_units[i])
+      e->has_units[i] = read_unit_line(step, e->printed, &e->unit[i]);
     if (step->asks && take_answer(e->sweep, step, e->printed, &e->answer, &e->why) != 0)
       return MLG_BAD_INPUT;
   }

@@ -22,6 +22,9 @@ struct evaluator {
   struct answer answer;
   struct words words;
   struct text why;     /* of the last failure */
+  struct text unit[MOST_STEPS]; /* of the columns of each question, see unitline.h */
+  bool has_units[MOST_STEPS];   /* whether it has printed their names yet */
+  struct text units;            /* all of them */
 };
 
 /* Makes this process one that evaluates: it ends with its parent, has no more memory than
@@ -32,7 +35,11 @@ bool begin_evaluator(struct evaluator *e, const struct sweep *sweep, const char 
 /* The record of case n; its text lasts until the next. */
 void evaluate(struct evaluator *e, long long n, struct record *record);
 
-/* The first line of the complaints, without what would break a table. */
+/* Whether every question has told the units of its columns; then e->units has them. */
+bool units_known(struct evaluator *e);
+
+/* The first line of the complaints, without what would break a table, and no longer than
+ * fits into one. */
 void first_complaint(int complaints, struct text *text);
 
 #endif

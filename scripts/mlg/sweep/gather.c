@@ -27,6 +27,10 @@ static void print_head(const struct sweep *s, const char *what, FILE *f)
       fprintf(f, " %s", s->step[i].word[k]);
     fputc('\n', f);
   }
+}
+
+static void print_names(const struct sweep *s, FILE *f)
+{
   fprintf(f, "case");
   for (int i = 0; i < s->axes; i++)
     if (varies(s, i))
@@ -66,9 +70,42 @@ static void print_failure(const struct sweep *s, const struct record *r, FILE *f
           r->text);
 }
 
-static void print_answer_head(const struct sweep *s, FILE *f)
+/* Of what varies, and of the kept columns as the commands have said them; both tables of two
+ * engines have the same, for a unit does not hang on the case. */
+static void print_units(const struct blocks *b, const unsigned char *state, FILE *f)
 {
+  const struct sweep *s = b->sweep;
+  struct text units = TEXT_NONE, why = TEXT_NONE;
+  bool found = false;
+
+  for (int i = 0; i < s->axes; i++)
+    if (varies(s, i) && parameter_unit(s->axis[i].name))
+      text_add(&units, "%s%s %s", units.length > 0 ? "; " : "", s->axis[i].name, parameter_unit(s->axis[i].name));
+  for (long long k = 1; k <= b->n && !found; k++) {
+    struct block block;
+
+    if (state[k] == BLOCK_NONE)
+      continue;
+    if (read_block(b, k, (enum block_state)state[k], &block, &why) == 0 && block.units.text) {
+      found = true;
+      if (block.units.length > 0)
+        text_add(&units, "%s%.*s", units.length > 0 ? "; " : "", (int)block.units.length, block.units.text);
+    }
+    free_block(&block);
+  }
+  if (units.length > 0)
+    fprintf(f, "# %s\n", units.at);
+  text_free(&units);
+  text_free(&why);
+}
+
+static void print_answer_head(const struct blocks *b, const unsigned char *state, FILE *f)
+{
+  const struct sweep *s = b->sweep;
+
   print_head(s, "Answers", f);
+  print_units(b, state, f);
+  print_names(s, f);
   for (int i = 0; i < s->steps; i++)
     for (int k = 0; k < s->step[i].keeps; k++)
       fprintf(f, ",%s", s->step[i].keep[k].as);
@@ -78,6 +115,7 @@ static void print_answer_head(const struct sweep *s, FILE *f)
 static void print_failed_head(const struct sweep *s, FILE *f)
 {
   print_head(s, "Failures", f);
+  print_names(s, f);
   fprintf(f, ",at,command,status,reason\n");
 }
 
@@ -127,6 +165,7 @@ int count_cases(const struct blocks *b, struct tally *t)
   *t = (struct tally){ .known = 0 };
   for (long long k = 1; k <= b->n; k++) {
     t->blocks[state[k]]++;
+    t->at_work += state[k] == BLOCK_PART && is_at_work(b, k);
     if (state[k] == BLOCK_DONE)
       t->known += k < b->n ? b->size : b->sweep->cases - (b->n - 1) * b->size;
   }
@@ -194,7 +233,7 @@ int gather(const struct blocks *b)
   int status = MLG_FAILED;
 
   if (t.answers && t.failed) {
-    print_answer_head(b->sweep, t.answers);
+    print_answer_head(b, state, t.answers);
     print_failed_head(b->sweep, t.failed);
     status = visit_records(b, state, is_begun, print_record, &t);
   } else

@@ -4,9 +4,9 @@
 
 #include "blocks.h"
 
-struct tally { long long blocks[BLOCK_STATES], known, failed; };
+struct tally { long long blocks[BLOCK_STATES], known, failed, at_work; };
 
-/* How far a sweep is. */
+/* How far a sweep is, and how many of its blocks are being computed. */
 int count_cases(const struct blocks *blocks, struct tally *tally);
 
 /* FOLDER/table.csv and, if some have failed, failed.csv, each put in place as a whole; with

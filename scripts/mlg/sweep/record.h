@@ -2,6 +2,7 @@
  *
  *   ok CASE ROWS SUM          and that many rows of kept cells
  *   failed CASE STEP STATUS SUM REASON
+ *   units SUM TEXT            before the first good case: the units of the kept columns
  *
  * SUM is of all else in the record: half a record, or a damaged one, is none.
  */
@@ -15,6 +16,7 @@
 struct record {
   long long n;      /* the case */
   bool failed;
+  bool units;       /* it is of no case (n = 0), and text says units */
   int step, status; /* of a failed one: the number of its command, from 1, and the exit status as a shell's */
   int rows;         /* of a good one */
   const char *text; /* the rows, or the reason */

@@ -60,7 +60,9 @@ void add_step(struct sweep *s, bool asks, const char *words, int line)
     step->word[step->words++] = next_word(s, &at, line);
   }
   step->command = find_command(step->word[0]);
-  if (!step->command || strcmp(step->word[0], "cases") == 0)
+  if (strcmp(step->word[0], "cases") == 0 || strcmp(step->word[0], "help") == 0)
+    slip(s, line, step->word[0], "this command answers nothing about a gear; `mlg help` lists the others");
+  if (!step->command)
     slip(s, line, step->word[0], "no such command; `mlg help` lists them");
   step->again = is_repeatable(step->command);
 }
@@ -103,6 +105,7 @@ void add_keep(struct sweep *s, const char *columns, int line)
 
   if (step->keeps)
     slip(s, line, columns, "this question has a line keep already");
+  step->keep_line = line;
   for (char *item; (item = next_item(&columns)) != NULL;) {
     char *as = strstr(item, " as ");
 
@@ -131,9 +134,14 @@ void add_names(struct sweep *s, const char *names, int line)
   for (char *item; (item = next_item(&names)) != NULL;) {
     if (step->names == MOST_COLUMNS || !*item)
       slip(s, line, item, "expected at most %d names with commas between them", MOST_COLUMNS);
+    char *unit = item + strcspn(item, " \t"); /* "psi_max deg" */
+
+    if (*unit)
+      *unit++ = '\0', unit += strspn(unit, " \t");
     for (int i = 0; i < step->names; i++)
       if (strcmp(step->name[i], item) == 0)
         slip(s, line, item, "stands twice among the names");
+    step->unit[step->names] = *unit ? unit : NULL;
     step->name[step->names++] = item;
   }
 }
@@ -143,9 +151,9 @@ void add_rows(struct sweep *s, const char *rows, int line)
   static const char *const kind[] = { [ROWS_ALL] = "all", "first", "last", "largest ", "least " };
   struct step *step = last_question(s, rows, line);
 
-  if (step->has_rows)
+  if (step->rows_line)
     slip(s, line, rows, "this question has a line rows already");
-  step->has_rows = true;
+  step->rows_line = line;
   for (int k = ROWS_ALL; k <= ROWS_LEAST; k++) {
     const size_t length = strlen(kind[k]);
 
@@ -228,6 +236,31 @@ static void check_used(const struct sweep *s, const struct axis *a)
        a->dimension == s->table_dimension ? "; a column that names cases holds words, not numbers only" : "");
 }
 
+/* What `mlg points` prints, a column each, as its help says it. */
+static const struct { const char *name, *unit; } of_points[] = {
+  { "prefix", NULL }, { "run", NULL }, { "type", NULL }, { "V", "m/s" }, { "c_d", "N m s/rad" }, { "k_s", "N m/rad" },
+  { "b", "N m s^2/rad" }, { "frequency", "Hz" }, { "psi_max", "deg" }, { "dstar_max", "m" }
+};
+
+enum { OF_POINTS = sizeof of_points / sizeof *of_points };
+
+/* Commands that print cells alone want names for them. */
+static void check_names(const struct sweep *s, struct step *step)
+{
+  static const char *const bare[] = { "points", "point", "rows", "at", "crossing", "peak", "shimmy", "curve", "widths", NULL };
+  const bool is_points = strcmp(step->command->name, "points") == 0;
+
+  for (int i = 0; bare[i] && !step->names; i++)
+    if (strcmp(bare[i], step->command->name) == 0)
+      slip(s, step->line, bare[i], "prints no names of its columns: a line names = %s has to follow (`mlg help %s`)",
+           is_points ? "prefix, run, type, V, c_d, k_s, b, frequency, psi_max, dstar_max" : "A, B, ...", bare[i]);
+  if (is_points && step->names != OF_POINTS)
+    slip(s, step->line, "points", "prints %d columns, and the line names has %d (`mlg help points`)", OF_POINTS, step->names);
+  for (int i = 0; is_points && i < OF_POINTS; i++)
+    if (!step->unit[i])
+      step->unit[i] = of_points[i].unit;
+}
+
 void settle_steps(struct sweep *s)
 {
   int questions = 0;
@@ -237,6 +270,8 @@ void settle_steps(struct sweep *s)
     for (int k = 0; k < s->axes; k++)
       s->step[i].takes[k] = is_parameter(s->axis[k].name) && !has(&s->step[i], s->axis[k].name);
     questions += s->step[i].asks;
+    if (s->step[i].asks)
+      check_names(s, &s->step[i]);
     if (s->step[i].asks && !s->step[i].keeps)
       slip(s, s->step[i].line, s->step[i].word[0], "a line keep = COLUMN, ... has to follow: what is to be in the table");
   }
@@ -249,14 +284,14 @@ void settle_steps(struct sweep *s)
     bool used = false;
 
     if (read_file(s->gear, &text, &why) != 0)
-      slip(s, 0, NULL, "gear = %s", why.at);
+      slip(s, s->gear_line, s->gear, "%s", why.at);
     text_free(&text);
     text_free(&why);
 
     for (int i = 0; i < s->steps; i++)
       used = used || has(&s->step[i], "parameters");
     if (!used)
-      slip(s, 0, NULL, "gear = %s is used by no command: put {parameters} among its words", s->gear);
+      slip(s, s->gear_line, s->gear, "this gear is used by no command: put {parameters} among its words");
   }
 }
 

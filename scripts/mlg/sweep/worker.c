@@ -28,6 +28,7 @@ struct shared {
   atomic_size_t head, tail;     /* bytes put in, taken out */
   atomic_long done;             /* cases whose record is in the ring */
   atomic_llong started;         /* ns: when the one behind them began; 0: none has */
+  atomic_bool units;            /* have still to be told */
   atomic_int step;              /* which of its commands is at work, from 1 */
   char ring[RING];
 };
@@ -131,12 +132,17 @@ static _Noreturn void work(struct job *j, long from, pid_t parent, const sigset_
     if (record.failed)
       wait_for_end(record.status, record.text);
     text_clear(&text);
+    if (!record.failed && atomic_load(&j->shared->units) && units_known(&e))
+      add_record(&text, &(struct record){ .units = true, .text = e.units.at, .length = e.units.length });
+    const size_t told = text.length;
+
     add_record(&text, &record);
     if (text.length > RING) {
       record = (struct record){ .n = record.n, .failed = true, .status = 1, .text = "an answer of more than 4 MB", .length = 27 };
       text_clear(&text);
       add_record(&text, &record);
-    }
+    } else if (told > 0)
+      atomic_store(&j->shared->units, false);
     put_in(j->shared, text.at, text.length);
     atomic_store(&j->shared->done, i + 1);
   }
@@ -229,7 +235,7 @@ static int watch(struct job *j, pid_t worker, const sigset_t *wanted, const sigs
   }
 }
 
-int compute_cases(const struct sweep *sweep, const long long cases[], long n, const char *scratch, struct sink sink)
+int compute_cases(const struct sweep *sweep, const long long cases[], long n, const char *scratch, bool units, struct sink sink)
 {
   struct job j = { sweep, cases, n, scratch, memfd_create("complaints", MFD_CLOEXEC), NULL, sink };
   sigset_t wanted, before;
@@ -240,6 +246,7 @@ int compute_cases(const struct sweep *sweep, const long long cases[], long n, co
     say_line("mlg cases", strerror(errno));
     return 1;
   }
+  atomic_store(&j.shared->units, units);
   sigemptyset(&wanted);
   for (const int *s = (const int[]){ SIGCHLD, SIGINT, SIGTERM, SIGHUP, 0 }; *s; s++)
     sigaddset(&wanted, *s);
