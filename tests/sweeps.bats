@@ -462,16 +462,19 @@ layout = l1, li1
 V = 60
 c_d = 2890
 g_psi = 0.004
-ask = cycle {layout} motion {parameters} psi=0.05 settle=1
+ask = cycle {layout} motion {parameters} psi=0.05 settle=1 rtol=1e-6
 keep = motion, psi_most as most, watched
 ask = hopf {layout} V_least=1 c_d=3e4
 rows = first
 keep = V as V_hopf, grows
+ask = transients {layout} V=60 c_d=2890 t_end=1
+rows = first
+keep = psi_max
 END
   mkdir -p build/degrees build/apart
   mlg cases build/degrees.sweep block=1 size=2 folder=build/degrees
   mlg cases build/degrees.sweep gather size=2 folder=build/degrees
-  [ "$(grep '^#' build/degrees/table.csv | tail -n 1)" = "# most deg; watched s; V_hopf m/s" ]
+  [ "$(grep '^#' build/degrees/table.csv | tail -n 1)" = "# most deg; watched s; V_hopf m/s; psi_max deg" ]
   mlg cases build/degrees.sweep block=2 size=1 folder=build/apart
   mlg cases build/degrees.sweep block=1 size=1 folder=build/apart
   mlg cases build/degrees.sweep gather size=1 folder=build/apart

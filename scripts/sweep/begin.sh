@@ -53,11 +53,17 @@ count_of() { # NAME=N MOST
 # mlg cases for the blocks of this sweep
 cases() { mlg cases "$file" "$@" folder="$folder" size="$size" || exit $?; }
 
-# Waits until nobody else tries cases of this sweep; what they leave of runs would mix.
+# Waits until nobody else tries cases of this sweep: their runs would mix.  Who had the lock may
+# have removed it with the folder; then another is made.
 lock_folder() {
-  mkdir -p "$folder"
-  exec 6> "$folder/lock"
-  flock 6
+  local tries
+  for ((tries = 0; tries < 100; tries++)); do
+    mkdir -p "$folder"
+    { exec 6> "$folder/lock"; } 2> /dev/null || continue
+    flock 6
+    if [ "$folder/lock" -ef /dev/fd/6 ]; then return; fi
+  done
+  fail "sweep: $folder/lock cannot be written"
 }
 
 # A folder with no plan holds nothing.

@@ -5,6 +5,8 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "mlg.h"
+
 /* "m/s", "N m s/rad", "1e-5 rad/(N m)", "-": no other words than these. */
 static bool is_unit(const char *text, size_t n)
 {
@@ -32,6 +34,21 @@ static int kept_as(const struct step *step, const char *name, size_t length)
     if (strlen(step->keep[k].name) == length && memcmp(step->keep[k].name, name, length) == 0)
       return k;
   return -1;
+}
+
+/* V, psi_max and the like are called so, and in these units, by every command. */
+static const char *unit_everywhere(const char *name)
+{
+  static const struct { const char *name, *unit; } results[] = {
+#define X(slot, id, name, unit, meaning) { name, unit },
+    MLG_RESULTS(X)
+#undef X
+  };
+
+  for (size_t i = 0; i < sizeof results / sizeof *results; i++)
+    if (strcmp(results[i].name, name) == 0)
+      return strcmp(results[i].unit, "-") == 0 ? NULL : results[i].unit;
+  return parameter_unit(name);
 }
 
 struct found { const char *unit[MOST_COLUMNS]; size_t length[MOST_COLUMNS]; bool waits[MOST_COLUMNS]; };
@@ -120,6 +137,9 @@ bool read_unit_line(const struct step *step, const char *output, struct text *un
     }
   } else if ((known = comments_of(output, &comments)))
     take_comments(step, comments.at, &f);
+  for (int k = 0; k < step->keeps && !step->names; k++)
+    if (!f.unit[k] && (f.unit[k] = unit_everywhere(step->keep[k].name)) != NULL)
+      f.length[k] = strlen(f.unit[k]);
   text_clear(units);
   for (int k = 0; k < step->keeps; k++)
     if (f.unit[k])
