@@ -11,6 +11,7 @@
 
 #include "crossing.h"
 #include "linearised.h"
+#include "places.h"
 
 enum { STEPS = 200 };
 
@@ -173,7 +174,7 @@ struct search {
 static void place(struct search *s, double u, double v)
 {
   if (libmlg_uses(s->layout, s->k_s) == 1)
-    s->par[s->k_s] = u > 0. ? s->k_psi * (1. / fmin(u, 1. - 1e-6) - 1.) : INFINITY;
+    s->par[s->k_s] = libmlg_place_k_s(s->k_psi, u, INFINITY);
   if (libmlg_uses(s->layout, s->b) == 1)
     s->par[s->b] = s->b_least + v * (s->b_most - s->b_least);
 }
@@ -285,12 +286,18 @@ int libmlg_best_damped(int layout, const double par[], double b_least, double b_
   s.k_psi = par[libmlg_parameter("k_psi")];
   const int over_k_s = libmlg_uses(layout, s.k_s) == 1, over_b = libmlg_uses(layout, s.b) == 1 && b_most > b_least;
 
-  for (int j = 0; j < (over_b ? NODES_B : 1); j++)
-    for (int i = 0; i < (over_k_s ? NODES_K_S + 1 : 1); i++)
-      if (improve(&s, (double)i / NODES_K_S, (double)j / (NODES_B - 1))) {
-        u = (double)i / NODES_K_S;
+  for (int j = 0; j < (over_b ? NODES_B : 1); j++) {
+    double node[PLACES_MOST];
+    int nodes;
+
+    place(&s, 0., (double)j / (NODES_B - 1));
+    nodes = libmlg_places(layout, s.par, NODES_K_S, node);
+    for (int i = 0; i < nodes; i++)
+      if (improve(&s, node[i], (double)j / (NODES_B - 1))) {
+        u = node[i];
         v = (double)j / (NODES_B - 1);
       }
+  }
   zoom(&s, u, v, over_k_s ? 1. / NODES_K_S : 0., over_b ? 1. / (NODES_B - 1) : 0.);
   if (s.best.zeta > -1.)
     to_known_digits(&s);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "layout.h"
+#include "places.h"
 
 enum { NODES_K_S = 64, NODES_B = 32, MOST = LIBMLG_MOST_POINTS, LOADS = 7 };
 
@@ -74,7 +75,7 @@ static int improve(struct search *s, double u, double v)
   double lo = s->best.zeta, hi, c_d, c;
 
   if (libmlg_uses(s->layout, s->k_s) == 1)
-    s->par[s->k_s] = u > 0. ? s->k_psi * (1. / fmin(u, 1. - 1e-6) - 1.) : MLG_RIGID;
+    s->par[s->k_s] = libmlg_place_k_s(s->k_psi, u, MLG_RIGID);
   if (libmlg_uses(s->layout, s->b) == 1)
     s->par[s->b] = s->b_least + v * (s->b_most - s->b_least);
   if (!has(s, lo + 1e-9 * fabs(lo), &c_d))
@@ -158,7 +159,7 @@ static int bears(struct largest *s, struct borne *at)
   struct libmlg_interval interval;
 
   if (libmlg_uses(s->layout, s->k_s) == 1)
-    s->par[s->k_s] = at->u > 0. ? s->k_psi * (1. / fmin(at->u, 1. - 1e-6) - 1.) : MLG_RIGID;
+    s->par[s->k_s] = libmlg_place_k_s(s->k_psi, at->u, MLG_RIGID);
   if (libmlg_uses(s->layout, s->b) == 1)
     s->par[s->b] = at->b;
   libmlg_set(s->par, LIBMLG_F_Z, at->F_z);
@@ -233,14 +234,24 @@ static struct borne golden(struct largest *s, struct borne best, int over_b, dou
 /* The best k_s at one b: of a grid, then beside its best. */
 static struct borne over_k_s(struct largest *s, double ignored, double b, double floor)
 {
-  const int nodes = libmlg_uses(s->layout, s->k_s) == 1 ? FINE_NODES : 0;
   struct borne best = { .F_z = 0., .b = b };
+  double u[PLACES_MOST];
+  int nodes, top = 0;
 
   (void)ignored;
-  for (int i = 0; i <= nodes; i++)
-    best = larger(best, largest_at(s, nodes ? (double)i / nodes : 0., b, fmax(floor, best.F_z * (1. + 1e-12))));
-  if (nodes && best.F_z > 0.)
-    best = golden(s, best, 0, fmax(best.u - 1. / nodes, 0.), fmin(best.u + 1. / nodes, 1.), 1e-11, over_u);
+  if (libmlg_uses(s->layout, s->b) == 1)
+    s->par[s->b] = b;
+  nodes = libmlg_places(s->layout, s->par, FINE_NODES, u);
+  for (int i = 0; i < nodes; i++) {
+    const struct borne here = largest_at(s, u[i], b, fmax(floor, best.F_z * (1. + 1e-12)));
+
+    if (here.F_z > best.F_z) {
+      best = here;
+      top = i;
+    }
+  }
+  if (nodes > 1 && best.F_z > 0.)
+    best = golden(s, best, 0, u[top > 0 ? top - 1 : 0], u[top + 1 < nodes ? top + 1 : top], 1e-11, over_u);
   return best;
 }
 
@@ -262,7 +273,7 @@ int libmlg_largest_load(int layout, const double par[], double F_most, double b_
   if (nodes && best.F_z > 0.)
     best = golden(&s, best, 1, fmax(best.b - node, b_least), fmin(best.b + node, b_most), 1e-4 * node, over_k_s);
   *load = (struct libmlg_load){ best.F_z, INFINITY, best.b, best.interval };
-  if (libmlg_uses(layout, s.k_s) == 1 && best.u > 0.)
-    load->k_s = s.k_psi * (1. / fmin(best.u, 1. - 1e-6) - 1.);
+  if (libmlg_uses(layout, s.k_s) == 1)
+    load->k_s = libmlg_place_k_s(s.k_psi, best.u, INFINITY);
   return 0;
 }

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "box.h"
+#include "places.h"
 
 enum { MOST_ASKED = 1024, NEW_CORNERS = 6, NODES_K_S = 64, NODES_B = 15 };
 
@@ -43,10 +44,9 @@ static void set_box(struct search *s)
     }
 }
 
-/* k_s = k_psi (1/u - 1): 0 is rigid, 1 nearly without stiffness. */
 static double k_s_of(const struct search *s, double u)
 {
-  return u > 0. ? s->k_psi * (1. / fmin(u, 1. - 1e-6) - 1.) : MLG_RIGID;
+  return libmlg_place_k_s(s->k_psi, u, MLG_RIGID);
 }
 
 static void place(struct search *s, double k_s, double b)
@@ -244,24 +244,30 @@ static struct best golden(struct search *s, struct best best, double left, doubl
  * best; all corners tested in the end. */
 static struct best best_at_b(struct search *s, double b, double floor)
 {
-  const int nodes = libmlg_uses(s->layout, s->k_s) == 1 ? NODES_K_S : 1;
   struct best best = { .p = 0., .b = b };
+  double u[PLACES_MOST];
+  int nodes, top = 0;
 
-  place(s, nodes > 1 ? 1e6 : MLG_RIGID, b);
+  place(s, libmlg_uses(s->layout, s->k_s) == 1 ? 1e6 : MLG_RIGID, b);
+  nodes = libmlg_places(s->layout, s->par, NODES_K_S, u);
   set_box(s);
   if (!ask_predicted(s, b))
     return best;
   do {
     best.p = 0.;
-    for (int i = 1; i <= nodes; i++)
-      best = better(best, value_at(s, (double)i / nodes, b, fmax(best.p, floor)));
+    for (int i = nodes > 1; i < nodes; i++) { /* a rigid k_s has no tolerance */
+      const struct best here = value_at(s, u[i], b, fmax(best.p, floor));
+
+      if (here.p > best.p) {
+        best = here;
+        top = i;
+      }
+    }
   } while (best.p > 0. && ask_failing(s, &best) > 0);
   if (nodes == 1 || !(best.p > 0.))
     return best;
-  const double u = best.u;
-
   do
-    best = golden(s, value_at(s, u, b, 0.), fmax(u - 1. / nodes, 1e-6), fmin(u + 1. / nodes, 1.), 1e-7, at_u);
+    best = golden(s, value_at(s, u[top], b, 0.), fmax(u[top - 1], 1e-6), u[top + 1 < nodes ? top + 1 : top], 1e-7, at_u);
   while (best.p > 0. && ask_failing(s, &best) > 0);
   return best;
 }

@@ -12,11 +12,10 @@
 #include <string.h>
 
 #include "layout.h"
+#include "places.h"
 
-enum { NODES = 64, FINER = 8, MOST_NODES = 2 * FINER * NODES, MOST_INTERVALS = LIBMLG_MOST_POINTS };
-
-/* The softest spring, as u = 1 / (1 + k_s/k_psi); 0 is rigid. */
-static const double u_most = 1. / (1. + 1e-6);
+/* Each of the nodes and of the finer ones may have a change behind it, which are two more. */
+enum { NODES = 64, FINER = 8, MOST_NODES = 3 * (PLACES_MOST + FINER * NODES), MOST_INTERVALS = LIBMLG_MOST_POINTS };
 
 struct search {
   int layout, k_s; /* number of that parameter */
@@ -25,8 +24,9 @@ struct search {
   int status;
 };
 
-/* What there is at one u: the widest interval, and a signature that changes with the
- * number and kind of the intervals.  Without an interval the width is below 0: by how
+/* What there is at one place u: the widest interval, and a signature that changes with the
+ * number and kind of the intervals, or without any with the order and kind of the boundary
+ * points: a region may be born, die or part from another one there.  Without an interval the width is below 0: by how
  * much two regions overlap at least, so that a search finds where they part. */
 struct state {
   double u, width, parting; /* parting: bottom over top of two regions that overlap, 1: they part */
@@ -42,7 +42,7 @@ static double size(const struct search *s, double lo, double hi)
 
 static double k_s_of(const struct search *s, double u)
 {
-  return u > 0. ? s->k_psi * (1. / u - 1.) : INFINITY;
+  return libmlg_place_k_s(s->k_psi, u, INFINITY);
 }
 
 static struct state state_at(struct search *s, double u)
@@ -70,6 +70,8 @@ static struct state state_at(struct search *s, double u)
   }
   if (intervals == 0) {
     here.width = -INFINITY;
+    for (int i = 0; i < points; i++)
+      here.signature = here.signature * 5 + 1 + (unsigned long)point[i].kind;
     for (int i = 0; i + 1 < points; i++) /* the upper one begins before the lower ends */
       if (point[i].kind == LIBMLG_LEAST && point[i + 1].kind == LIBMLG_LARGEST) {
         here.width = fmax(here.width, size(s, point[i + 1].c_d, point[i].c_d));
@@ -86,19 +88,25 @@ static int by_u(const void *a, const void *b)
   return (x > y) - (x < y);
 }
 
-/* Between two states that differ: both sides of a place where they do. */
-static int add_change(struct search *s, struct state a, struct state b, struct state node[], int n)
+/* Between two states that differ: both sides of the places where they do, the first from the
+ * left, then those between it and the right. */
+static int add_changes(struct search *s, struct state left, struct state right, struct state node[], int n)
 {
-  while (b.u - a.u > 1e-5 && n + 2 <= MOST_NODES) {
-    const struct state middle = state_at(s, 0.5 * (a.u + b.u));
+  while (left.signature != right.signature && n + 2 <= MOST_NODES) {
+    struct state a = left, b = right;
 
-    if (middle.signature == a.signature)
-      a = middle;
-    else
-      b = middle;
+    while (b.u - a.u > 1e-5) {
+      const struct state middle = state_at(s, 0.5 * (a.u + b.u));
+
+      if (middle.signature == left.signature)
+        a = middle;
+      else
+        b = middle;
+    }
+    node[n++] = a;
+    node[n++] = b;
+    left = b;
   }
-  node[n++] = a;
-  node[n++] = b;
   return n;
 }
 
@@ -187,7 +195,7 @@ static void classify(struct search *s, const struct state *best, struct libmlg_w
 {
   const double step = 1e-8;
 
-  if (best->u <= 0. || best->u >= u_most) {
+  if (best->u <= 0. || best->u >= PLACES_SOFTEST) {
     w->limit = best->u <= 0. ? LIBMLG_RIGID : LIBMLG_SOFT;
     return;
   }
@@ -243,28 +251,32 @@ static int widest(int by_ratio, int layout, const double par[], double zeta, dou
 {
   struct search s;
   struct state node[MOST_NODES], best;
-  int n = 0, nodes;
+  double u[PLACES_MOST];
+  int n, nodes;
 
   *w = (struct libmlg_widest){ .limit = LIBMLG_NO_INTERVAL };
   if (search_begin(&s, layout, par, zeta, V_least, V_top) != 0)
     return LIBMLG_NONE;
   s.by_ratio = by_ratio;
-  nodes = libmlg_uses(layout, s.k_s) ? NODES : 0;
-  for (int i = 0; i <= nodes; i++) {
+  n = libmlg_places(layout, par, NODES, u);
+  nodes = n - 1;
+  for (int i = 0; i < n; i++) {
     s.status = 0;
-    node[n] = state_at(&s, i * u_most / NODES);
+    node[i] = state_at(&s, u[i]);
     if (s.status != 0) /* a place where two points are one is a single one */
-      node[n] = state_at(&s, (i + 1e-6 * (i < nodes ? 1. : -1.)) * u_most / NODES);
-    n++;
+      node[i] = state_at(&s, u[i] + (i < nodes ? 1e-6 : -1e-6) / NODES);
   }
   for (int i = 0; i < nodes; i++) /* where two regions nearly part, more closely */
-    for (int k = 1; k < FINER && !(node[i].width > 0.) && !(node[i + 1].width > 0.)
-                    && fmax(node[i].parting, node[i + 1].parting) > 0.5; k++)
-      node[n++] = state_at(&s, node[i].u + (node[i + 1].u - node[i].u) * k / FINER);
+    if (!(node[i].width > 0.) && !(node[i + 1].width > 0.) && fmax(node[i].parting, node[i + 1].parting) > 0.5) {
+      const int parts = (int)ceil(FINER * NODES * (u[i + 1] - u[i]) - 1e-6);
+
+      for (int k = 1; k < parts; k++)
+        node[n++] = state_at(&s, u[i] + (u[i + 1] - u[i]) * k / parts);
+    }
   qsort(node, (size_t)n, sizeof *node, by_u);
   for (int i = 0, first = n; i + 1 < first; i++)
     if (node[i].signature != node[i + 1].signature)
-      n = add_change(&s, node[i], node[i + 1], node, n);
+      n = add_changes(&s, node[i], node[i + 1], node, n);
   qsort(node, (size_t)n, sizeof *node, by_u);
   best = node[0];
   for (int i = 1; i < n; i++)
