@@ -255,6 +255,15 @@ END
   paste -d ' ' changes <(printf '%s\n' 17.6387 21.4608 47.8413 84.1777 | head -n "$(wc -l <changes)") | near_each 2e-3 "b where the limit changes"
 }
 
+@test "an interval within a few per cent of k_s, where spring and inertance are in resonance, is found" {
+  local gear=$ROOT/docs/examples/gear.regional b k_s width
+  while read -r b k_s; do
+    width=$(cell width intervals li2 gear="$gear" V_top=75 b="$b" k_s="$k_s")
+    awk -v there="$width" -v widest="$(cell width widest li2 gear="$gear" V_top=75 b="$b")" \
+      'BEGIN { print there, widest; exit !(there > 200 && widest >= there) }'
+  done <<<$'14.5 3.25e5\n66 1.238e6\n100 1.85e6\n110 2.05e6\n150 2.7e6'
+}
+
 ## Inputs for which the sweep over frequencies gave a wrong answer
 
 # intervals LAYOUT PARAMETER...: "c_lo c_hi", one a line

@@ -403,8 +403,8 @@ int libmlg_least_ratio(int layout, const double par[], double V_least, double V_
 int libmlg_best_c_d(int layout, const double par[], double V_least, double V_top, struct libmlg_ratio *best);
 
 /* The c_d, k_s and b of the largest least ratio: over all k_s from rigid to 1e-6 k_psi and
- * b_least <= b <= b_most.  Exact in c_d; over k_s and b the best node of a grid of 64 by 33
- * (at each: is there an interval of c_d at the best ratio so far?), then finer and finer
+ * b_least <= b <= b_most.  Exact in c_d; over k_s and b the best node of a grid of 64 by 33,
+ * with an inertance closer in k_s as libmlg_widest has it (at each: is there an interval of c_d at the best ratio so far?), then finer and finer
  * grids about it, down to 1e-10 of the range.  k_s and b come with the six digits to which
  * a flat maximum is known, c_d is the best one there.  Parameters the layout does not use
  * stay. */
@@ -462,8 +462,8 @@ int libmlg_tolerance(int layout, const double par[], const struct libmlg_box *bo
 struct libmlg_design { double k_s, b, c_d, p; };
 
 /* The k_s, c_d and b, b_least <= b <= b_most, of the largest tolerance in libmlg_box_of: p = 0,
- * there is none.  Over c_d exact; at each b over k_s the best of a grid of 64 of
- * 1/(1 + k_s/k_psi), then golden section beside it; over b the best of 16, then golden section
+ * there is none.  Over c_d exact; at each b over k_s the best of the nodes of
+ * libmlg_widest, then golden section beside it; over b the best of 16, then golden section
  * beside it, to 1/15000 of the range.  All corners are tested at the best of the nodes and at what
  * is found, there at parts of p as well.  Returns 0 or LIBMLG_NONE. */
 int libmlg_most_tolerant(int layout, const double par[], double b_least, double b_most, double V_least, double V_top,
@@ -495,9 +495,10 @@ struct libmlg_widest {
 };
 
 /* The widest interval over k_s, from rigid to 1e-6 k_psi, at the b of par[].  A layout
- * without k_s has one interval or more at k_s = infinity.  All k_s at which a boundary
- * point is born or dies are found between the nodes of a grid of 1/k_s and bisected; two
- * such events between neighbouring nodes that undo each other are not seen.  Returns 0,
+ * without k_s has one interval or more at k_s = infinity.  Wherever the kinds of the
+ * boundary points in their order of c_d differ between neighbouring nodes (64 steps of
+ * 1/(1 + k_s/k_psi); with an inertance at most 10 % of k_s), all k_s at which they change are
+ * bisected, to 1e-5 of that; two changes between nodes that undo each other are not seen.  Returns 0,
  * LIBMLG_NONE or LIBMLG_UNSURE. */
 int libmlg_widest(int layout, const double par[], double zeta, double V_least, double V_top, struct libmlg_widest *widest);
 
@@ -518,7 +519,7 @@ struct libmlg_load { double F_z, k_s, b; struct libmlg_interval interval; };
 
 /* The largest load up to F_most, N, at which any k_s and b, b_least <= b <= b_most, has a zero-shimmy
  * interval; F_z = 0: none has.  At each k_s the last of 13 loads with one, then bisection above it
- * to 1e-11; over k_s the best of 129 nodes of 1/(1 + k_s/k_psi), over b of 16, each with golden
+ * to 1e-11; over k_s the best of the nodes of libmlg_widest, with 128 equal steps, over b of 16, each with golden
  * section beside it.  Returns 0 or LIBMLG_NONE. */
 int libmlg_largest_load(int layout, const double par[], double F_most, double b_least, double b_most, double V_least,
                         double V_top, struct libmlg_load *load);
