@@ -35,8 +35,8 @@ do for [ending in "png svg"] {
     set xrange [0:200]; set xtics 50; set yrange [log10(500):log10(5e4)]
     set ytics ("0.5" log10(500), "1" 3, "3" log10(3e3), "10" 4, "30" log10(3e4))
     if (panel == 5) { set key at screen 0.69,0.4 left top Left reverse samplen 3 spacing 1.4 }
-    plot $c1 using 1:2 with lines lw 2.5 lc rgb shade[1] title "left of it ψ is over 0.2 deg at a play of 0.1 deg", \
-         $c2 using 1:2 with lines lw 2.5 lc rgb shade[2] title "over 0.35 deg at 0.25 deg", $c3 using 1:2 with lines lw 2.5 lc rgb shade[3] title "over 0.6 deg at 0.5 deg", \
+    plot $c1 using 1:2 with lines lw 2.5 lc rgb shade[1] title "ψ over 0.2 deg at a play of 0.1 deg", \
+         $c2 using 1:2 with lines lw 2.5 lc rgb shade[2] title "ψ over 0.35 deg at 0.25 deg", $c3 using 1:2 with lines lw 2.5 lc rgb shade[3] title "ψ over 0.6 deg at 0.5 deg", \
          $b1 using 1:2 with lines lw 1.4 dt (5,3) lc rgb shade[1], $b2 using 1:2 with lines lw 1.4 dt (5,3) lc rgb shade[2], \
          $b3 using 1:2 with lines lw 1.4 dt (5,3) lc rgb shade[3], \
          NaN with lines lw 1.4 dt (5,3) lc rgb shade[2] title "the same by describing functions", \
