@@ -74,6 +74,8 @@ study() { scripts/study.sh "$@" > study.log 2>&1 || { cat study.log; return 1; }
   study wide layouts=l2,li2 exact b_most=140
   # at the inertance of the best damped one, which is known only late
   says wide "Take LI2 .* b = 140 "
+  # which has a row among all designs
+  near "$(of wide li2 'most tolerant' c_d)" "$(awk -F, '$1 == "li2" { print $4 }' build/studies/wide/advice.csv)" 1e-6
   near "$(awk -F, '$1 == "li2" { print $5 }' build/studies/wide/advice.csv)" "$(awk -F, '$1 == "li2" && $2 == "tolerant" { print $6 }' results/tolerance.csv)" 1e-3
   near "$(of wide l2 'widest at b = 0' width)" 10226.87 1e-6
   near "$(of wide l2 'widest at b = 0' k_s)" 786523.74 1e-6
@@ -156,10 +158,38 @@ END
 @test "branches of shimmy in a study: stable and unstable points, folds, slip; designs by falling width" {
   # from 10 m/s unstable to a fold at 8, then stable to 20; an orbit with slip at a third of alpha_m
   printf '%s\n' HB,10,0,0, ,9,1,0.001,0 LP,8,2,0.002, ,12,3,0.003,1 ,16,4,0.004,1 HB,20,0,0, orbit,0,0,4,0.004,0.03,-0.06 > branch
-  awk -v row=x -v born=psi -v e='0.05 2 0.5 7e5 2e5 0.3 0.6' -f scripts/study/cycle.awk branch > row
-  [ "$(<row)" = x,8,20,4,0.004,,8,2,1,0.329,0.00959,psi ] # slip atan2(0.06, 0.3) of 0.6; roll mu = sin 0.05 sin 4 deg + cos 0.05 sin 0.002 cos 4 deg
+  awk -v row=x,psi,1 -v born=psi,1 -v e='0.05 2 0.5 7e5 2e5 0.3 0.6' -f scripts/study/cycle.awk branch > row
+  [ "$(<row)" = 'x,psi,1,8,20,4,0.004,,8,2,1,0.329,0.00959,psi,1,Hopf point,' ] # slip atan2(0.06, 0.3) of 0.6; roll mu = sin 0.05 sin 4 deg + cos 0.05 sin 0.002 cos 4 deg
   printf '%s\n' layout,design,k_s,b,c_lo,c_hi,width,zeta,V,f,shimmy,d l1,rigid,inf,0,1,2,5,1,1,1,psi,x l2,widest,1e6,0,1,2,50,1,1,1,psi,x li1,widest,1e6,0,1,2,50,1,1,1,psi,x l2,none,1e6,0,0,inf,inf,1,1,1,psi,x > designs
   [ "$(awk -F, -f scripts/study/ranked.awk designs | cut -d , -f 1 | tail -n +2 | tr '\n' /)" = 'l2/l2 li1/l1/' ]
+}
+
+@test "why a branch ends; an unstable one is nowhere stable; of which shimmy torus curves are" {
+  local row end
+  while IFS='|' read -r row end; do
+    [ "$(printf '%s\n' HB,1,0,0,1 ,2,5,0.01,0 "$row" | awk -v row=l1,x,1,1,psi,0 -v born=psi,1 -v top=75 -v V_least=0.5 -f scripts/study/cycle.awk | cut -d , -f 13,14,19,20)" = "$end" ] || { echo "$row"; return 1; }
+  done << 'END'
+BP,14.28,12,0.004,1|0,1,branch point,14.28
+,75,12,0.004,0|0,2,V_top,
+,0.5,12,0.004,0|0,2,V_least,
+,14.28,60,0.004,0|0,2,psi_max,
+,14.28,12,0.3,0|0,2,dstar_max,
+END
+  . scripts/study/cycles.sh
+  . scripts/study/words.sh
+  # shellcheck disable=SC2030,SC2034
+  folder=. top=75
+  [ "$(printf '%s\n' l,w,1,1,HB,1,0,0,1,1 l,w,1,1,,2,1,1,0,1 l,w,1,1,TR,3,1,1,1,1 l,w,1,1,,4,1,1,1,1 | without_false_stability | cut -d , -f 9 | xargs)" = "0 0 1 1" ]
+  printf '%s\n' which,c_d,hopf_points low,142.6,1 > telling.l1.csv
+  printf '%s\n' head 'l1,low.1,142.6,1,psi,0,1,38.8,22,0.007,,,9,9,1,0,psi,1,branch point,14.3 38.8' > cycles.csv
+  unstable_throughout() { :; }
+  branches_words l1 | grep -F 'psi-shimmy from 1 to 38.8 m/s (**in part**: AUTO stopped at a branch point; the shimmy beyond was not followed)'
+  printf '%s\n' curve,V,c_d 1,1,2 1,3,4 > torus.l1.csv
+  printf '%s\n' curve,shimmy,points,first_end,last_end 1,psi,2,angle,edge > torus_ends.l1.csv
+  printf '%s\n' curve,kind,shimmy,type,V,c_d 1,open,psi,,1,2 > plane.l1.csv
+  torus_words l1 | grep 'of psi-shimmy from (1 m/s, 2) to (3 m/s, 4) (the first end where the torus angle has come to 0.*Only psi-shimmy grows'
+  printf '%s\n' 2,open,delta,,1,2 >> plane.l1.csv
+  torus_words l1 | grep 'Where the other shimmy grows too'
 }
 
 @test "after Ctrl-C nothing goes on, and a repeated study makes again no run that was done" {

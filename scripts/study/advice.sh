@@ -7,17 +7,20 @@
 . scripts/report/advice.sh
 
 # The most tolerant k_s and c_d at the inertance of the best damped design, which has to be known
-# (best_damped, exact.sh), or without an inerter.
+# (best_damped, exact.sh), or without an inerter; a row of designs.csv too.
 tolerant_design() { # LAYOUT
   local layout=$1 b='' row
   ! has "$layout" b || b=$(awk -F, -v layout="$layout" '$1 == layout && $2 == "best damped" { print $4; exit }' "$folder/designs.csv")
-  rm -f "$folder/parts/$layout.advice"
+  rm -f "$folder/parts/$layout".{advice,tolerant}
   made "tolerance.$layout.csv" tolerance "$layout" best "${gear[@]}" V_top="$top" ${b:+b="$b"} sample=2000 2> /dev/null || {
     rm -f "$folder/tolerance.$layout.csv"* # none without shimmy
     return 0
   }
   row=$(sed 1,2d "$folder/tolerance.$layout.csv")
   advice_row "$layout" "$row" "${gear[@]}" V_top="$top" > "$folder/parts/$layout.advice"
+  local k_s b c_d
+  IFS=, read -r k_s b c_d _ <<< "$row"
+  design "$layout" 'most tolerant' "$(rigid "${k_s:-inf}")" "${b:-0}" '' "$c_d" > "$folder/parts/$layout.tolerant"
 }
 
 gather_advice() {

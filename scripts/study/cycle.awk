@@ -1,7 +1,10 @@
 # cycle.awk - one branch of shimmy as a row of cycles.csv (cycles.sh)
 #   lines type,V,psi_max,dstar_max,stable: its points; orbit,phase,t,psi,dstar,lambda_L,lambda_R
 #   (degrees, metres): orbits on it.  row: the cells before; born: the mode of its Hopf point,
-#   and 1, or 0 for a part of a branch; e: phi l_delta a k_t F_z l alpha_m
+#   and 1, or 0 for a part of a branch; e: phi l_delta a k_t F_z l alpha_m; top, V_least: the
+#   speeds at which a branch is left
+# stable, unstable: its points without a type; end: why it goes no further (Hopf point, V_top,
+#   V_least, psi_max, dstar_max, branch point; AUTO: nothing more was found)
 # slip: largest slip angle over alpha_m; roll: largest unloading a mu k_t/2 over F_z/2, mu of (16)
 BEGIN {
   FS = OFS = ","
@@ -23,10 +26,24 @@ $1 == "orbit" {
   if ($3 + 0 > psi) psi = $3 + 0
   if ($4 + 0 > dstar) dstar = $4 + 0
   if ($1 == "TR") torus = torus (torus == "" ? "" : " ") $2
+  if ($1 == "BP") branch_points = branch_points (branch_points == "" ? "" : " ") $2
   if ($1 == "LP") folds = folds (folds == "" ? "" : " ") $2
-  if ($5 == 1) stable++
-  if ($5 == 0 && $5 != "") unstable++
+  if ($1 == "" && $5 == 1) stable++
+  if ($1 == "" && $5 == 0 && $5 != "") unstable++
+  type = $1
+  V = $2
+  last_psi = $3
+  last_dstar = $4
+}
+function end() {
+  if (born ~ /,0$/) return "AUTO"
+  if (row ~ /,1$/) return "Hopf point"
+  if (V > 0.9999 * top) return "V_top"
+  if (V < 1.0001 * V_least) return "V_least"
+  if (last_psi > 59.99) return "psi_max"
+  if (last_dstar > 0.29999) return "dstar_max"
+  return type == "BP" ? "branch point" : "AUTO"
 }
 END {
-  if (n) print row, from, to, psi, dstar, torus, folds, stable + 0, unstable + 0, sprintf("%.3g", slip), sprintf("%.3g", roll), born
+  if (n) print row, from, to, psi, dstar, torus, folds, stable + 0, unstable + 0, sprintf("%.3g", slip), sprintf("%.3g", roll), born, end(), branch_points
 }

@@ -78,7 +78,7 @@ diagram() { # LAYOUT WHICH C_D
 # cycles.csv, and the Hopf point that it ends on.
 show_branch() { # RUN BRANCH HOPF_POINT WHOLE
   rows_of "$1" "$2" ends types=HB,HH,TR,LP,BP,GH,MX 2> /dev/null | good_part "$4" > "$part.rows" || return 0
-  without_false_folds "$part.rows" >> "$part.branches"
+  without_false_folds "$part.rows" | without_false_stability >> "$part.branches"
   [ "$4" = 0 ] || ended+="$(ended_at "$3") "
   cycle "$@"
 }
@@ -92,11 +92,26 @@ good_part() { # WHOLE
 }
 
 # Shimmy from Hopf point i.  A small branch wants a small first step, a sharp fold a fine one;
-# beside such a fold AUTO's search takes many iterations.
+# beside such a fold AUTO's search takes many iterations.  The constants file stops at the first
+# branch point, for a branch that closes ends on one; where another kind stops it (an orbit loses
+# its mirror symmetry there), it is made again through as many as it takes.
 branch() { # FIRST_STEP LARGEST POINTS, of V_top
-  run_or_note "$name.$n" "$layout.periodic" from="$name.straight" IRS="'HB$i'" ILP=1 NPR=10 NMX="$3" ITMX=200 \
-    DS="$(times "$top" "$1")" DSMAX="$(times "$top" "$2")" UZR="{'torus': [-1e-5, 2e-5]}" \
-    UZSTOP="{'V': [$(times "$start" 0.5), $top], 'psi_max': 60.0, 'dstar_max': 0.3}" --
+  local passes=$folder/keys/run.$name.$n.passes stop=1 at='' noted
+  [ ! -e "$passes" ] || stop=$(cat "$passes")
+  noted=$(cat "$part.failures")
+  while :; do
+    run_or_note "$name.$n" "$layout.periodic" from="$name.straight" IRS="'HB$i'" ILP=1 NPR=10 NMX="$3" ITMX=200 STOP="['BP$stop']" \
+      DS="$(times "$top" "$1")" DSMAX="$(times "$top" "$2")" UZR="{'torus': [-1e-5, 2e-5]}" \
+      UZSTOP="{'V': [$(times "$start" 0.5), $top], 'psi_max': 60.0, 'dstar_max': 0.3}" -- || { [ -n "$at" ] && break || return; }
+    at=$(rows_of "$name.$n" "$n" ends types=any | awk -F, '{ type = $5; V = $6 } END { if (type == "BP") print V }')
+    [ -n "$at" ] || return 0
+    echo "$stop" > "$passes"
+    stop=$((stop + 1))
+    [ "$stop" -le 6 ] || break
+  done
+  # the last good one stands
+  settle_failures "$noted"
+  echo "$name.$n,\"AUTO stopped at the branch point at V = $at; the shimmy beyond was not followed\"" >> "$part.failures"
 }
 
 # Straight rolling.  AUTO may step over a Hopf point at one step and not at another.
@@ -120,6 +135,20 @@ without_false_folds() { # ROWS
     { print }' "$1" "$1"
 }
 
+# At a bifurcation both sides meet, and it counts as stable for the lines in the pictures; not where
+# neither side is, as where a second Hopf point begins a branch that is unstable.
+without_false_stability() {
+  awk -F, -v OFS=, '
+    { row[NR] = $0; stable[NR] = $9 }
+    END {
+      for (i = 1; i <= NR; i++) {
+        $0 = row[i]
+        if ($5 != "" && stable[i - 1] + 0 == 0 && stable[i + 1] + 0 == 0) $9 = 0
+        print
+      }
+    }'
+}
+
 # The number of the Hopf point, other than that where it began, that the branch n ends on.
 ended_at() { # NUMBER
   local last
@@ -139,15 +168,15 @@ cycle() { # RUN BRANCH NUMBER WHOLE
     for label in $(mlg table "$1" labels | awk -F, '!/^#/ && $1 + 0 { print $2 }'); do
       mlg orbit "$1" "$label" phases=48 prefix=orbit 2> /dev/null || true
     done
-  } | awk -v row="$layout,$which,$c_d,$2,$shimmy,$closed" -v born="$(sed -n "$3p" "$part.hopf" | cut -d , -f 4),$4" -v e="$(gear_values)" -f scripts/study/cycle.awk >> "$part.cycles"
+  } | awk -v row="$layout,$which,$c_d,$2,$shimmy,$closed" -v born="$(sed -n "$3p" "$part.hopf" | cut -d , -f 4),$4" -v e="$(gear_values)" -v top="$top" -v V_least="$(times "$start" 0.5)" -f scripts/study/cycle.awk >> "$part.cycles"
 }
 
 gear_values() { awk -F, '{ v[$1] = $2 } END { print v["phi"], v["l_delta"], v["a"], v["k_t"], (v["M"] + v["m_D"]) * v["g"], v["l"], v["alpha_m"] }' "$folder/gear.csv"; }
 
-# What is to be built of a layout: the user's own device, or else the best damped one.
+# What is to be built of a layout: the user's own device, or else that of the advice, the most tolerant.
 recommended() { # LAYOUT: k_s,b,c_d,zeta,V, or nothing where that is shimmy
   awk -F, -v layout="$1" -v own="$own_c_d" -v k_s="$([ -z "$own_k_s$own_b" ] || echo "$base_k_s")" -v b="$base_b" '
-    $1 != layout || (own != "" && $2 != "yours") || (k_s != "" && ($3 != k_s || $4 != b)) || $14 + 0 <= most { next }
+    $1 != layout || (own != "" && $2 != "yours") || (k_s != "" && ($3 != k_s || $4 != b)) || (!(own != "" || k_s != "") && $2 != "most tolerant") || $14 + 0 <= most { next }
     { most = $14 + 0; row = $3 "," $4 "," $13 "," $14 "," $15 }
     END { if (row != "") print row }' "$folder/designs.csv"
 }
@@ -183,7 +212,7 @@ run_jobs() { # COMMAND...
 
 # First what takes longest; torus curves begin at points of the diagrams.
 cycles() {
-  local layout which c_d jobs=() after=() n runs
+  local layout which c_d jobs=() after=() decays=() n runs
   for layout in $layouts; do
     ! has "$layout" k_s || jobs+=("best_damped $layout")
     after+=("tolerant_design $layout")
@@ -196,14 +225,16 @@ cycles() {
       [ "$which" = which ] || jobs+=("diagram $layout $which.$n $c_d")
       n=$((n + 1))
     done < "$folder/telling.$layout.csv"
-    after+=("torus_curves $layout" "decay $layout")
+    after+=("torus_curves $layout") decays+=("decay $layout")
   done
-  rm -f "$folder"/{history,torus}.*.csv
+  rm -f "$folder"/{history,torus,torus_ends}.*.csv
   run_jobs "${jobs[@]}"
   gather branches layout,which,c_d,branch,type,V,psi_max,dstar_max,stable,whole
-  gather cycles layout,which,c_d,branch,shimmy,closed,V_from,V_to,psi_max,dstar_max,torus,folds,stable,unstable,slip,roll,born,whole
+  gather cycles layout,which,c_d,branch,shimmy,closed,V_from,V_to,psi_max,dstar_max,torus,folds,stable,unstable,slip,roll,born,whole,end,branch_points
   find "$folder/parts" -name '*.best' | sort | xargs -r cat >> "$folder/designs.csv"
   run_jobs "${after[@]}"
+  find "$folder/parts" -name '*.tolerant' | sort | xargs -r cat >> "$folder/designs.csv"
+  run_jobs "${decays[@]}"
   gather_advice
   gather transients layout,c_d,V,disturbance,psi_max,dstar_max,psi_5,psi_end,dstar_5,dstar_end,rate,zeta,limits
   gather failures run,reason

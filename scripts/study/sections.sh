@@ -30,7 +30,7 @@ head_section() {
 
 # --- all designs --------------------------------------------------------------
 
-designs_columns="layout=layout|design=design|k_s (N m/rad)=k_s:%.4g|b (N m s²/rad)=b:%.4g|from c_d=c_lo:%.5g|to c_d=c_hi:%.5g|width=width:%.4g|best c_d=c_d:%.4g|least ζ=zeta:%.2e|at V=V:%.3g|mode=shimmy"
+designs_columns="layout=layout|design=design|k_s (N m/rad)=k_s:%.4g|b (N m s²/rad)=b:%.4g|from c_d=c_lo:%.5g|to c_d=c_hi:%.5g|width=width:%.4g|c_d=c_d:%.4g|least ζ=zeta:%.2e|at V=V:%.3g|mode=shimmy"
 
 # The row of designs.csv with most of a column; of a layout, or of all.
 best_row() { # width|zeta [LAYOUT]
@@ -48,7 +48,7 @@ designs_section() {
   best_damped_words
   widest_words
   yours_words
-  echo "All designs by the width of their interval; c_d in N m s/rad, V in m/s; least ζ is that of the best c_d at that k_s and b:"
+  echo "All designs by the width of their interval; c_d in N m s/rad, V in m/s; least ζ is at the c_d beside it, the best damped one at that k_s and b, of the most tolerant design the advised one, of yours your own:"
   awk -F, -f scripts/study/ranked.awk "$folder/designs.csv" > "$folder/ranked.csv"
   table ranked.csv "$designs_columns"
   ! grep -q ',widest,\|,widest at' "$folder/designs.csv" ||
@@ -184,7 +184,7 @@ plane_section() {
 # A pair of pictures for each diagram, which stand side by side where there is room.
 branches_section() {
   local diagram
-  echo "Shimmy along V at the values of c_d that tell most, as the largest ψ and the largest δ* over a period: blue stable, dashed red unstable; red dots Hopf points, rings torus points, triangles folds$(! grep -q "^$layout,.*,0$" "$folder/cycles.csv" || echo "; on grey, the part of a branch up to where AUTO went no further")."
+  echo "Shimmy along V at the values of c_d that tell most, as the largest ψ and the largest δ* over a period: blue stable, dashed red unstable; red dots Hopf points, rings torus points, triangles folds$(awk -F, -v layout="$layout" '$1 == layout && $18 == 0 { part = 1 } END { exit part }' "$folder/cycles.csv" || echo "; on grey, the part of a branch up to where AUTO went no further")."
   echo
   for diagram in $(diagrams_of "$layout"); do
     printf '![ψ along V](branches.%s.%s.psi.svg) ![δ* along V](branches.%s.%s.dstar.svg)\n\n' "$layout" "$diagram" "$layout" "$diagram"
@@ -205,7 +205,7 @@ decay_section() {
   grep -q "^$layout," "$folder/transients.csv" || return 0
   local k_s b c_d
   IFS=, read -r k_s b c_d < <(recommended "$layout")
-  echo "After a disturbance (ψ' = 1 or δ' = 0.45 rad/s) with $([ -n "$own_k_s$own_b$own_c_d" ] && echo "your device" || echo "the best damped device"), $(with_words "$layout" "$k_s" "$b"), c_d = $(number "$c_d"), integrated for 20 s:"
+  echo "After a disturbance (ψ' = 1 or δ' = 0.45 rad/s) with $([ -n "$own_k_s$own_b$own_c_d" ] && echo "your device" || echo "the most tolerant device"), $(with_words "$layout" "$k_s" "$b"), c_d = $(number "$c_d"), integrated for 20 s:"
   table transients.csv "V (m/s)=V:%.4g|disturbance=disturbance|max ψ (deg)=psi_max:%.3g|max δ* (m)=dstar_max:%.3g|ψ to 5 % (s)=psi_5:%.3g|δ* to 5 % (s)=dstar_5:%.3g|slowest decay (1/s)=rate:%.3g" layout="$layout"
   [ ! -s "$folder/history.$layout.psi.svg" ] || printf '![decay of psi](history.%s.psi.svg) ![decay of delta](history.%s.dstar.svg)\n\nThe first two seconds after ψ'"'"' = 1 rad/s, at the first of these speeds.\n\n' "$layout" "$layout"
 }
@@ -217,7 +217,7 @@ last_section() {
   echo
   if [ "$exact" = no ]; then
     if [ "$(wc -l < "$folder/failures.csv")" -gt 1 ]; then
-      echo "Runs of AUTO that failed (layout.diagram.branch); a branch is shown up to where its run was good, on grey, and what lies beyond is missing:"
+      echo "Runs of AUTO that failed, or stopped where they could not be led on (layout.diagram.branch); a branch is shown up to where its run was good, on grey where AUTO failed, and what lies beyond is missing:"
       table failures.csv "run=run|reason=reason"
     else
       echo "No run failed."

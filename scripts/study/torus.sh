@@ -2,7 +2,8 @@
 # torus.sh - torus curves of a study in the plane of each base design; sourced by study.sh
 #
 # From every torus point of the diagrams that lies on none yet, both ways, to the double Hopf
-# points or the edges of the plane.  In build/studies/NAME: torus.LAYOUT.csv, a block for each.
+# points or the edges of the plane.  In build/studies/NAME: torus.LAYOUT.csv, a block for each;
+# torus_ends.LAYOUT.csv, of which shimmy each is, and where and why it ends.
 # shellcheck disable=SC2154 # variables of study.sh
 
 # The torus points of a layout, those in the middle of V first: c_d, V, the branch's run, how
@@ -40,25 +41,29 @@ along_torus() { # MESH STEP END
       UZSTOP="{'psi_max': $end, 'torus_angle': [0.03, 6.25], 'V': [$(times "$top" 1e-3), $top], 'c_d': [$c_lo, $c_hi]}" --
 }
 
-# Rows of one way, and the double Hopf point that it ends just short of.
+# Rows of one way, and the double Hopf point that it ends just short of; into $part.why the end's
+# reason: double Hopf, vanishes, angle (of the torus, 0), edge (of the plane).
 torus_rows() { # RUN PSI_MAX_AT_ITS_END
-  mlg rows "$1" columns=V,c_d,psi_max | awk -F, -v OFS=, -v n="$n" -v end="$2" -v near="$(times "$top" 0.05)" '
-    FILENAME == "-" { print n, $1, $2; V = $1; c = $2; vanishes = $3 < 1.01 * end; next }
-    vanishes && $4 == "HH" && ($5 - V) ^ 2 < near ^ 2 && $6 < 1.5 * c && $6 > c / 1.5 { print n, $5, $6; exit }' - "$folder/plane.$layout.csv"
+  mlg rows "$1" columns=V,c_d,psi_max,torus_angle | awk -F, -v OFS=, -v n="$n" -v end="$2" -v near="$(times "$top" 0.05)" -v why="$part.why" '
+    FILENAME == "-" { print n, $1, $2; V = $1; c = $2; vanishes = $3 < 1.01 * end; angle = $4 < 0.0301 || $4 > 6.2499; next }
+    vanishes && !HH && $4 == "HH" && ($5 - V) ^ 2 < near ^ 2 && $6 < 1.5 * c && $6 > c / 1.5 { print n, $5, $6; HH = 1 }
+    END { print (HH ? "double Hopf" : vanishes ? "vanishes" : angle ? "angle" : "edge") > why }' - "$folder/plane.$layout.csv"
 }
 
 # Of a way that the judge rejects the points up to where AUTO found none any more.
 torus_part() { # RUN
+  echo AUTO > "$part.why"
   { mlg rows "$1" columns=V,c_d,type types=MX 2> /dev/null || true; } | awk -F, -v OFS=, -v n="$n" '$3 == "MX" || $1 $2 ~ /nan|inf/ { exit } { print n, $1, $2 }'
 }
 
 torus_curves() { # LAYOUT
-  local layout=$1 part=$folder/parts/$1.curves c_d V run which psi n=0 name way end
+  local layout=$1 part=$folder/parts/$1.curves c_d V run which psi n=0 name way end shimmy ends
   : > "$part.failures"
   : > "$part.torus"
+  : > "$part.ends"
   while read -r c_d V run which psi; do
     ! on_a_curve "$c_d" "$V" || continue
-    n=$((n + 1)) name=$layout.torus.$n
+    n=$((n + 1)) name=$layout.torus.$n ends=''
     for way in up down; do
       rm -rf "$MLG_RUNS/$name.$way.part"
       if try_each "$name.$way" along_torus < <(printf '%s\n' '15 5e-3 0.1' '15 1e-3 0.1' '40 2e-3 0.2'); then
@@ -66,9 +71,16 @@ torus_curves() { # LAYOUT
       else
         torus_part "$name.$way.part" > "$part.$way"
       fi
+      ends+="${ends:+,}$(cat "$part.why")"
     done
     # of a start that led nowhere there is nothing to show
-    [ "$(cat "$part.up" "$part.down" | wc -l)" -lt 4 ] || { tac "$part.up"; cat "$part.down"; echo; } >> "$part.torus"
+    [ "$(cat "$part.up" "$part.down" | wc -l)" -ge 4 ] || continue
+    { tac "$part.up"; cat "$part.down"; echo; } >> "$part.torus"
+    shimmy=$(awk -F, -v run="$run" '$1 "." $2 "." $4 == run { print $5; exit }' "$folder/cycles.csv")
+    echo "$n,$shimmy,$(cat "$part.up" "$part.down" | wc -l),$ends" >> "$part.ends"
   done < <(torus_points "$layout")
-  [ ! -s "$part.torus" ] || { echo curve,V,c_d; cat "$part.torus"; } > "$folder/torus.$layout.csv"
+  [ ! -s "$part.torus" ] || {
+    { echo curve,V,c_d; cat "$part.torus"; } > "$folder/torus.$layout.csv"
+    { echo curve,shimmy,points,first_end,last_end; cat "$part.ends"; } > "$folder/torus_ends.$layout.csv"
+  }
 }

@@ -107,15 +107,29 @@ plane_words() { # LAYOUT
     }' "$folder/plane.$1.csv"
 }
 
+# Each curve, of which shimmy, and why it ends; and what follows past it.
 torus_words() { # LAYOUT
   [ -s "$folder/torus.$1.csv" ] || return 0
-  awk -F, 'NR > 1 && NF == 3 { if (!($1 in n)) { curves++; from[$1] = sprintf("(%.4g m/s, %.4g)", $2, $3) } n[$1]++; to[$1] = sprintf("(%.4g m/s, %.4g)", $2, $3) }
+  local kinds
+  kinds=$(awk -F, '!/^#/ && $1 != "curve" && $3 != "" && $4 != "HH" { print $3 }' "$folder/plane.$1.csv" | sort -u | paste -sd ' ')
+  awk -F, -v kinds="$kinds" '
+    function ends(first, last) { return first == last ? "both ends " why[first] : "the first end " why[first] ", the last " why[last] }
+    BEGIN {
+      why["double Hopf"] = "at a double Hopf point"
+      why["vanishes"] = "where the orbit vanishes"
+      why["angle"] = "where the torus angle has come to 0, on a curve of folds or of branch points"
+      why["edge"] = "at the edge of the plane"
+      why["AUTO"] = "where AUTO found no more of it"
+    }
+    FNR == 1 { next }
+    FILENAME ~ /ends/ { text[$1] = sprintf(" (%s)", ends($4, $5)); shimmy[$1] = $2; next }
+    NF == 3 { if (!($1 in from)) { order[++n] = $1; from[$1] = sprintf("(%.4g m/s, %.4g)", $2, $3) } to[$1] = sprintf("(%.4g m/s, %.4g)", $2, $3) }
     END {
-      if (!curves) exit
-      printf "Torus curves (dashed), across which a computed shimmy loses its stability to the other one: "
-      for (k in n) printf "%sfrom %s to %s", m++ ? "; " : "", from[k], to[k]
-      print "."
-    }' "$folder/torus.$1.csv"
+      printf "Torus curves (dashed), across which a second frequency grows on a computed shimmy, or dies out: "
+      for (i = 1; i <= n; i++) { k = order[i]; printf "%sof %s-shimmy from %s to %s%s", (i > 1 ? "; " : ""), shimmy[k], from[k], to[k], text[k] }
+      if (kinds == "psi" || kinds == "delta") printf ". Only %s-shimmy grows in this plane: past the curve it goes on, modulated.\n", kinds
+      else print ". Where the other shimmy grows too, the gear as a rule goes over to it; where not, the shimmy goes on, modulated."
+    }' "$folder/torus_ends.$1.csv" "$folder/torus.$1.csv"
 }
 
 # Do the computed branches bear out the names by which the plane is shaded?
@@ -146,14 +160,22 @@ branches_words() { # LAYOUT
   awk -F, -v layout="$1" -v top="$top" -v unstable=" $(unstable_throughout "$1")" '
     function list(text) { gsub(" ", ", ", text); return text }
     function points(text) { n_points = split(text, junk, " "); return n_points > 1 ? "points" : "point" }
+    BEGIN {
+      end["V_top"] = " and on"
+      end["V_least"] = " and on to lower V"
+      end["psi_max"] = ", followed to 60 degrees"
+      end["dstar_max"] = ", followed to δ* = 0.3 m"
+      end["branch point"] = " (**in part**: AUTO stopped at a branch point; the shimmy beyond was not followed)"
+      end["AUTO"] = " (**in part**: AUTO went no further)"
+    }
     FNR == 1 { next }
     FILENAME ~ /telling/ { name = $1 "." (FNR - 1); order[++n] = name; c[name] = $2; hopf[name] = $3; next }
     $1 == layout {
       count[$2]++
       shape = $13 && $14 ? "stable in part" : $14 ? "unstable" : "stable"
-      end = !$18 ? " (**in part**: AUTO went no further)" : $6 ? "" : $8 > 0.999 * top ? " and on" : $7 < 0.006 * top ? " and on to lower V" : ", followed to 60 degrees or 0.3 m"
-      text[$2] = text[$2] sprintf("; %s-shimmy from %.4g to %.4g m/s%s, at most %.3g deg and %.3g mm, %s%s%s", $5, $7, $8, end, $9, 1e3 * $10, shape,
-        $11 == "" ? "" : ", torus " points($11) " at " list($11) " m/s", $12 == "" ? "" : ", fold" (points($12) == "points" ? "s" : "") " at " list($12) " m/s")
+      text[$2] = text[$2] sprintf("; %s-shimmy from %.4g to %.4g m/s%s, at most %.3g deg and %.3g mm, %s%s%s%s", $5, $7, $8, end[$19], $9, 1e3 * $10, shape,
+        $11 == "" ? "" : ", torus " points($11) " at " list($11) " m/s", $12 == "" ? "" : ", fold" (points($12) == "points" ? "s" : "") " at " list($12) " m/s",
+        $20 == "" ? "" : ", branch " points($20) " at " list($20) " m/s, where another shimmy branches off that was not followed")
     }
     END {
       for (i = 1; i <= n; i++) {
