@@ -44,6 +44,7 @@ read_words() {
       exact) exact=yes ;;
       V_top=*) top=${word#*=} ;;
       b_most=*) b_most=${word#*=} ;;
+      [vV]_[tT][oO][pP]=* | [lL]ayouts=* | [bB]_most=* | [aA]t=*) fail "study: '$word': written V_top=, layouts=, b_most=, at=" 2 ;;
       gear=) fail "study: 'gear=': expected gear=FILE" 2 ;;
       gear=/*) parameters+=("$word") ;;
       gear=*) parameters+=("gear=$(realpath -ms --relative-to=. "$here/${word#*=}")") ;;
@@ -128,6 +129,7 @@ page() { # FOLDER TITLE
 }
 
 [ $# -ge 1 ] || fail "$usage" 2
+case $1 in help | --help | -h) echo "$usage; docs/study.md" && exit ;; esac
 
 # shellcheck disable=SC2119 # all
 build

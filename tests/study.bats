@@ -137,22 +137,26 @@ study() { scripts/study.sh "$@" > study.log 2>&1 || { cat study.log; return 1; }
 bad gear=none|none: No such file*
 bad gear=|study: 'gear=': expected gear=FILE
 bad gear=gear.load|*gear.load:1: PAR: F_z is in kN here; it has to be in N
-bad c_q=1|mlg gearinfo: 'c_q=1': no such parameter*
+bad c_q=1|study: 'c_q=1': no such parameter*
 bad layouts=l9|study: layouts=: there is no layout 'l9'*
 bad layouts=gear|study: layouts=: there is no layout 'gear'*
 bad layouts=k_d-c_d|study: layouts=: there is no layout 'k_d-c_d'*
 bad layouts=l1,l1|study: layouts=: a layout is given twice
 bad at=3e3,x|study: at=: 'x': expected values of c_d*
 bad V=3|study: V is the axis*
-bad V_top=-1|mlg gearinfo: 'V_top=-1': outside its range*
+bad V_top=-1|study: 'V_top=-1': outside its range*
 bad layouts=l1 layouts=l2|study: 'layouts=l2': layouts is given already
+bad v_top=75|study: 'v_top=75': written V_top=*
+bad layouts=l1 b=10|study: b=10: none of the layouts l1 has a b
+bad layouts=l1 k_s=1e6|study: k_s=1000000: none of the layouts l1 has a k_s
 bad quick|study: 'quick': expected NAME=VALUE*
 a.b|the name 'a.b': a study's has no point
 ../bad|the name '../bad'*
 compare none paper|study: there is no study 'none'*
 compare paper|usage: scripts/study.sh compare NAME NAME
 END
-  [ ! -e build/studies/bad/report.html ]
+  [ ! -e build/studies/bad ]
+  for words in help -h --help; do scripts/study.sh $words | grep -q '^usage: scripts/study.sh NAME'; done
 }
 
 @test "branches of shimmy in a study: stable and unstable points, folds, slip; designs by falling width" {
@@ -217,7 +221,7 @@ END
 @test "a nose gear published elsewhere: shimmy at every c_d, which the eigenvalues bear out" {
   study nose gear=constants/gear.nose layouts=l1,l2 exact
   says nose "No device of these layouts keeps this gear free of shimmy"
-  says nose "No k_s gives it an interval. Without them it is the same device as L1"
+  says nose "No k_s gives it an interval. With a rigid k_s it is the same device as L1"
   # what it does have: where it grows least, and what load a device would bear
   says nose "Nearest to it.* tenfold in"
   # a Hopf curve that is of delta below and of psi above has both names

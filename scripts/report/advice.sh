@@ -45,22 +45,28 @@ advice_loads() { # LAYOUT C_D WORD...
 }
 
 # The page of a table of designs, without its title.
-advice_words() { # TABLE
-  awk -F, '
+advice_words() { # TABLE [B_MOST]: the bound of b, where one was set
+  awk -F, -v b_most="${2:-}" '
     function name(l) { return toupper(l) }
     function stiff(k) { return k == "inf" ? "rigid" : sprintf("%.4g N m/rad", k) }
     function device(i,  t) {
       t = sprintf("%s with c_d = %.4g N m s/rad", name(v["layout", i]), v["c_d", i])
       if (v["layout", i] != "l1") t = t ", k_s = " stiff(v["k_s", i])
-      if (v["b", i] > 0) t = t sprintf(", b = %.4g N m s^2/rad", v["b", i])
+      if (v["b", i] > 0) t = t sprintf(", b = %.4g N m s²/rad", v["b", i])
       return t
     }
     # half of the load and one and a half are where it was looked
     function loads(i,  from, to) {
       from = v["F_from", i] / v["F_z", i]; to = v["F_to", i] / v["F_z", i]
       if (from < 0.501 && to > 1.499) return sprintf("anywhere from %.4g to %.4g kN", v["F_from", i] / 1e3, v["F_to", i] / 1e3)
-      if (from < 0.501) return sprintf("up to %.4g kN, and down to %.4g at least", v["F_to", i] / 1e3, v["F_from", i] / 1e3)
+      if (from < 0.501) return sprintf("up to %.4g kN, and down to %.4g kN at least", v["F_to", i] / 1e3, v["F_from", i] / 1e3)
       return sprintf("from %.4g to %.4g kN%s", v["F_from", i] / 1e3, v["F_to", i] / 1e3, to > 1.499 ? " at least" : "")
+    }
+    # the parameters of a corner that are at one end of their range, or all
+    function at_end(corner, sign,  n, k, one, t) {
+      n = split(corner, one, " ")
+      for (k = 1; k <= n; k++) if (sign == "" || substr(one[k], length(one[k])) == sign) t = t (t == "" ? "" : ", ") substr(one[k], 1, length(one[k]) - 1)
+      return t == "" ? "none" : t
     }
     function bound(c) { return c == "inf" ? "any value" : sprintf("%.5g", c) }
     /^#/ { next }
@@ -71,8 +77,10 @@ advice_words() { # TABLE
         print "**No device here keeps this gear free of shimmy**, not even exactly as designed. What helps is a change of the gear itself, or a lower load (`mlg loads LAYOUT largest`)."
         exit
       }
-      printf "**Take %s.**\n\n", device(best)
-      printf "**Why.** Of all layouts here it bears the largest error: every parameter of the list in docs/design.md may be off by %.3g %% at once, and no corner of that box shimmies.", v["p", best]
+      printf "**Take %s.**%s\n\n", device(best), (b_most != "" && v["b", best] > 0.999 * b_most ? " b is at its bound, and a larger one may do more." : "")
+      for (i = 1; i <= n; i++) designs += v["p", i] > 0
+      printf "**Why.** %s: %s may be off by %.3g %% at once, and no corner of that box shimmies.", (designs > 1 ? "Of all layouts here it bears the largest error" : n > 1 ? "It is the only layout here that has a design" : "That is its most tolerant design"),
+        (v["corner", best] == "" ? "every parameter" : "each of " at_end(v["corner", best], "")), v["p", best]
       for (i = 1; i <= n; i++) if (i != best) {
         if (v["p", i] > 0) printf " %s bears %.3g %% at its best.", name(v["layout", i]), v["p", i]
         else printf " %s has no design without shimmy.", name(v["layout", i])
@@ -86,13 +94,13 @@ advice_words() { # TABLE
       i = best
       printf "\n**How far from the limit.** "
       if (v["V", i] == "") printf "No corner shimmies, however far it was looked."
-      else printf "What gives first is a %s mode at %.3g m/s, in the corner %s (+: upper end, -: lower).", v["shimmy", i], v["V", i], v["corner", i]
+      else printf "What gives first is a %s mode at %.3g m/s, where %s are at their upper end and %s at their lower.", v["shimmy", i], v["V", i], at_end(v["corner", i], "+"), at_end(v["corner", i], "-")
       printf " c_d alone may lie from %s to %s.", bound(v["c_lo", i]), bound(v["c_hi", i])
       printf " The static load alone may be %s (own load: %.4g kN; steps of 0.5 %%).", loads(i), v["F_z", i] / 1e3
       printf " Of single parameters the bounds of c_d follow %s most, by %.3g %% for one per cent.\n\n", v["parameter", i], v["elasticity", i]
       printf "No shimmy is not much damping: the least damping ratio is %.2e, of the %s mode at %.3g m/s; a quarter of the amplitude after three cycles, as is often asked, would be 0.0735, %.0f times as much.%s\n\n", v["zeta", i], v["zeta_shimmy", i], v["zeta_V", i], 0.0735 / v["zeta", i],
         (v["p", i] < 1 ? " And a tolerance below 1 % is an edge, not a design: look for a change of the gear." : "")
-      printf "**How sure.** Each of the %d corners was tested exactly over all speeds; of %d points between them %s. The design comes from a search with a grid over k_s (docs/design.md): a better one between its nodes is not excluded. All of it is the linearised model, which docs/model.md doubts at several points; a large disturbance and a loose joint are other questions.\n", v["corners", i],
+      printf "**How sure.** Each of the %d corners was tested exactly over all speeds; of %d points between them %s. The design comes from a search with a grid over k_s (docs/design.md): a better one between its nodes is not excluded. All of it is the linearised model, and hangs on its choices (docs/doubts.md): the roll inertia of two separate wheel constraints, the loaded radius held fixed, the heading of the wheels, no gyroscopic coupling of the wheels, the tyre'"'"'s k_lambda and its law; a large disturbance and a loose joint are other questions.\n", v["corners", i],
         v["sample", i], (v["failing", i] == 0 ? "none shimmies" : v["failing", i] " shimmy")
     }' "$1"
 }

@@ -35,7 +35,7 @@ advice_section() {
   echo "## What to build"
   echo
   if [ "$(awk -F, 'NR > 1 && $5 > 0' "$folder/advice.csv" | wc -l)" -gt 0 ]; then
-    advice_words "$folder/advice.csv"
+    advice_words "$folder/advice.csv" "$b_most"
     echo
     echo "c_d and k_s of each layout are those of the largest tolerance at the inertance of its best damped design; speeds up to $top m/s. Another inertance may bear more: \`mlg tolerance LAYOUT best gear=FILE b_most=VALUE\` looks for it, in minutes."
   else

@@ -22,13 +22,11 @@ made() { # TABLE COMMAND WORD...
 
 # A gear file of the study's own, without what belongs to a device: own_k_s, own_b, own_c_d.
 read_gear() {
-  local name value given values=''
-  mkdir -p "$folder"
-  if ! mlg gearinfo "${parameters[@]}" V_top="$top" > "$folder/gear.csv.new"; then
-    rm "$folder/gear.csv.new"
-    exit 2
+  local name value given values='' table error
+  if ! table=$(mlg gearinfo "${parameters[@]}" V_top="$top" 2> "build/tables/study.$study.error"); then
+    error=$(sed 's/^mlg gearinfo: /study: /' "build/tables/study.$study.error")
+    fail "$error" 2
   fi
-  replace_quietly "$folder/gear.csv"
   own_k_s='' own_b='' own_c_d=''
   while IFS=, read -r name value _ _ given _; do
     [ "$given" = 1 ] || continue
@@ -39,7 +37,11 @@ read_gear() {
       c_d) own_c_d=$value ;;
       *) values+="${values:+, }'$name': $value" ;;
     esac
-  done < "$folder/gear.csv"
+  done <<< "$table"
+  [ -z "$own_k_s" ] || in_a_layout k_s || fail "study: k_s=$own_k_s: none of the layouts $layouts has a k_s" 2
+  [ -z "$own_b" ] || in_a_layout b || fail "study: b=$own_b: none of the layouts $layouts has a b" 2
+  mkdir -p "$folder"
+  settle "$folder/gear.csv" <<< "$table"
   [ -z "$own_k_s" ] || own_k_s=$(rigid "$own_k_s")
   if [ -n "$values" ]; then settle "$folder/gear" <<< "PAR = {$values}"; else settle "$folder/gear" < /dev/null; fi
   gear=()
@@ -49,7 +51,11 @@ read_gear() {
   made facts.csv gearinfo facts "${gear[@]}" V_top="$top"
 }
 
-replace_quietly() { if cmp -s "$1.new" "$1"; then rm "$1.new"; else mv "$1.new" "$1"; fi; }
+in_a_layout() { # k_s|b
+  local layout
+  for layout in $layouts; do ! has "$layout" "$1" || return 0; done
+  return 1
+}
 
 has() { mlg boundary "$1" "$2=1e3" > /dev/null 2>&1; } # LAYOUT k_s|b: an element of the device
 

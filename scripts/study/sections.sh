@@ -61,16 +61,18 @@ best_damped_words() {
   local layout k_s b lo hi c_d zeta V mode t_5
   IFS=, read -r layout _ k_s b lo hi _ _ _ _ _ _ c_d zeta V _ mode t_5 < <(best_row zeta) || true
   [ -z "$layout" ] || {
-    echo "**Best damped:** $(with_words "$layout" "$k_s" "$b") and c_d = $(number "$c_d") N m s/rad: $(decay_words "$zeta" "$V" "$mode" "$t_5"). Its interval: $(interval_words "$lo" "$hi"); $(margin_words "$c_d" "$lo" "$hi")."
+    echo "**Best damped:** $(with_words "$layout" "$k_s" "$b") and c_d = $(number "$c_d") N m s/rad: $(decay_words "$zeta" "$V" "$mode" "$t_5"). Its interval: $(interval_words "$lo" "$hi"); $(margin_words "$c_d" "$lo" "$hi")$(bound_words "$b")."
     echo
   }
 }
+
+bound_words() { awk -v b="$1" -v most="$b_most" 'BEGIN { if (b > 0.999 * most) print "; b is at its bound, and a larger one may do more" }'; } # B
 
 widest_words() {
   local layout k_s b lo hi width limit
   IFS=, read -r layout _ k_s b lo hi width _ _ _ _ limit _ < <(best_row width) || true
   [ -n "$layout" ] || return 0
-  echo "**Widest interval of c_d:** $(with_words "$layout" "$k_s" "$b"): $(interval_words "$lo" "$hi") (width $(number "$width"))$([ -z "$limit" ] || echo "; $(limit_words "$limit")")$(awk -v b="$b" -v most="$b_most" 'BEGIN { if (b > 0.999 * most) print "; b is at its bound, and a larger one may do more" }')."
+  echo "**Widest interval of c_d:** $(with_words "$layout" "$k_s" "$b"): $(interval_words "$lo" "$hi") (width $(number "$width"))$([ -z "$limit" ] || echo "; $(limit_words "$limit")")$(bound_words "$b")."
   echo
 }
 
@@ -159,9 +161,9 @@ layout_section() { # LAYOUT
   if [ -n "$twin" ]; then
     of=$(! has "$layout" b || echo " and no b up to $(number "$b_most") N m s²/rad")
     if awk -F, -v layout="$layout" '$1 == layout && $7 != 0 { found = 1 } END { exit !found }' "$folder/designs.csv"; then
-      echo "No k_s$of makes its interval wider than that of $(name_of "$twin"), and without them it is the same device: planes and diagrams are those of $(name_of "$twin")."
+      echo "No k_s$of makes its interval wider than that of $(name_of "$twin"), and with a rigid k_s$(! has "$layout" b || echo " and b = 0") it is the same device: planes and diagrams are those of $(name_of "$twin")."
     else
-      echo "No k_s$of gives it an interval. Without them it is the same device as $(name_of "$twin"): planes and diagrams are those of $(name_of "$twin")."
+      echo "No k_s$of gives it an interval. With a rigid k_s$(! has "$layout" b || echo " and b = 0") it is the same device as $(name_of "$twin"): planes and diagrams are those of $(name_of "$twin")."
     fi
     echo
     return
@@ -195,7 +197,7 @@ branches_section() {
 
 over_k_s_words() {
   if [ -s "$folder/regions.$layout.svg" ]; then
-    printf '![intervals over k_s](regions.%s.svg)\n\nGreen: c_d free of shimmy over k_s%s, rigid at the right edge%s.\n\n' "$layout" "$(! has "$layout" b || echo ", at b = $(number "$base_b") N m s²/rad")" "$([ "$base_k_s" = inf ] || echo '; the line: the design shown')"
+    printf '![intervals over k_s](regions.%s.svg)\n\nGreen: c_d free of shimmy over k_s%s%s%s.\n\n' "$layout" "$(! has "$layout" b || echo ", at b = $(number "$base_b") N m s²/rad")" "$(awk -F, 'NR > 3 && $3 == "inf" { rigid = 1 } END { if (rigid) print ", rigid at the right edge" }' "$folder/regions.$layout.csv")" "$([ "$base_k_s" = inf ] || echo '; the line: the design shown')"
   else
     printf 'No k_s from %s to %s N m/rad has a zero-shimmy interval%s.\n\n' "$(of_gear k_psi 0.02)" "$(of_gear k_psi 2000)" "$(! has "$layout" b || echo " at b = $(number "$base_b") N m s²/rad")"
   fi
@@ -206,7 +208,7 @@ decay_section() {
   local k_s b c_d
   IFS=, read -r k_s b c_d < <(recommended "$layout")
   echo "After a disturbance (ψ' = 1 or δ' = 0.45 rad/s) with $([ -n "$own_k_s$own_b$own_c_d" ] && echo "your device" || echo "the most tolerant device"), $(with_words "$layout" "$k_s" "$b"), c_d = $(number "$c_d"), integrated for 20 s:"
-  table transients.csv "V (m/s)=V:%.4g|disturbance=disturbance|max ψ (deg)=psi_max:%.3g|max δ* (m)=dstar_max:%.3g|ψ to 5 % (s)=psi_5:%.3g|δ* to 5 % (s)=dstar_5:%.3g|slowest decay (1/s)=rate:%.3g" layout="$layout"
+  table transients.csv "V (m/s)=V:%.4g|disturbance=disturbance|max ψ (deg)=psi_max:%.3g|max δ* (mm)=dstar_max*1000:%.3g|ψ to 5 % (s)=psi_5:%.3g|δ* to 5 % (s)=dstar_5:%.3g|slowest decay (1/s)=rate:%.3g" layout="$layout"
   [ ! -s "$folder/history.$layout.psi.svg" ] || printf '![decay of psi](history.%s.psi.svg) ![decay of delta](history.%s.dstar.svg)\n\nThe first two seconds after ψ'"'"' = 1 rad/s, at the first of these speeds.\n\n' "$layout" "$layout"
 }
 
