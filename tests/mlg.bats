@@ -140,7 +140,7 @@ gear() {
   gear "gear:1: expected one constant, PAR = {'name': value, ...}" ''
   gear "gear:2: expected one constant, PAR = {'name': value, ...}" '# c\nNMX = 3'
   gear "gear:2: expected one constant, PAR = {'name': value, ...}" "PAR = {'V': 3}\nNMX = 3"
-  gear "gear:1: PAR: 'c_q' is not a parameter (see models/mlg.h)" "PAR = {'c_q': 3}"
+  gear "gear:1: PAR: 'c_q' is not a parameter (docs/model.md has them)" "PAR = {'c_q': 3}"
   gear "gear:2: V = three is not a finite number" "PAR = {\n'V': three}"
   gear "gear:1: V = -3 m/s is outside its range, 0 to 1000" "PAR = {'V': -3}"
   gear "gear:1: PAR: V is in km/h here; it has to be in m/s" "PAR = {'V': 3 km/h}"
@@ -148,7 +148,12 @@ gear() {
   gear "gear:2: PAR: both M and F_z = (M + m_D) g are given; give one" "PAR = {'F_z': 6e4,\n'M': 2e4}"
   gear "gear:1: PAR: F_z is in kN here; it has to be in N" "PAR = {'F_z': 60 kN}"
   gear "gear:1: F_z = -1 N is outside its range, 0.001 to 1e+09" "PAR = {'F_z': -1}"
-  gear "gear:1: PAR: '4' is not a parameter (see models/mlg.h)" "PAR = {4: 0.1}"
+  gear "gear:1: PAR: '4' is not a parameter (docs/model.md has them)" "PAR = {4: 0.1}"
+  # of the last element: its own line, not that of the bracket behind it
+  gear "gear:2: PAR: '09 m' stands where a name should; a number has a decimal point, no comma" "PAR = {\n'e': 0,09 m\n}"
+  gear "gear:2: e has no value" "PAR = {\n'e': \n}"
+  gear "gear:2: m_D = -5 kg is outside its range, 0.001 to 1e+06" "PAR = {\n'm_D': -5 kg\n}"
+  gear "gear:3: PAR: both M and F_z = (M + m_D) g are given; give one" "PAR = {'F_z': 6e4,\n\n'M': 2e4\n}"
   gear "gear:1: PAR: a bracket is left open" "PAR = {'V': 3"
   gear "gear:1: expected ':' and not '}'; the form is PAR = {'name': value, ...}" "PAR = {'V'}"
   gear "gear:1: expected '{' and not '[1, 2]'; the form is PAR = {'name': value, ...}" "PAR = [1, 2]"

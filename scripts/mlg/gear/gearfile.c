@@ -109,35 +109,46 @@ static bool check_range(const struct reader *r, struct gear_value *v, const char
 {
   if (v->parameter != LIBMLG_F_Z && strcmp(v->name, "k_s") == 0 && is_infinite(v->text))
     v->value = MLG_RIGID;
+  else if (!*v->text)
+    return slip(r, "%s has no value", v->name);
   else if (!is_finite(v->text, &v->value))
     return slip(r, "%s = %s is not a finite number", v->name, v->text);
   return (v->value >= least && v->value <= most)
          || slip(r, "%s = %s %s is outside its range, %g to %g", v->name, v->text, unit, least, most);
 }
 
+/* Slips are told at the line where the element begins, and not where what ends it stands. */
 static bool read_value(struct reader *r, struct gear_value *v)
 {
   char name[GEAR_TEXT];
 
+  skip_blanks(r);
+  struct reader begin = *r;
+
   if (!read_text(r, ":,}", name))
     return false;
+  if (isdigit((unsigned char)*name) && *r->at != ':')
+    return slip(&begin, "PAR: '%s' stands where a name should; a number has a decimal point, no comma", name);
   v->parameter = strcmp(name, "F_z") == 0 ? LIBMLG_F_Z : libmlg_parameter(name);
   if (v->parameter == LIBMLG_NONE)
-    return slip(r, "PAR: '%s' is not a parameter (see models/mlg.h)", name);
+    return slip(&begin, "PAR: '%s' is not a parameter (docs/model.md has them)", name);
   v->name = v->parameter == LIBMLG_F_Z ? "F_z" : libmlg_parameter_quantity(v->parameter)->name;
   if (!expect(r, ':') || !read_text(r, ",}", v->text))
     return false;
-  v->line = r->line;
+  v->line = begin.line;
   if (v->parameter == LIBMLG_F_Z)
-    return check_unit(r, v, v->text, "N") && check_range(r, v, "N", 1e-3, 1e9);
+    return check_unit(&begin, v, v->text, "N") && check_range(&begin, v, "N", 1e-3, 1e9);
   const char *unit = libmlg_parameter_quantity(v->parameter)->unit;
 
-  return check_unit(r, v, v->text, unit) && check_range(r, v, unit, libmlg_least(v->parameter), libmlg_most(v->parameter));
+  return check_unit(&begin, v, v->text, unit) && check_range(&begin, v, unit, libmlg_least(v->parameter), libmlg_most(v->parameter));
 }
 
 /* Nothing is given twice, the load not by M and F_z. */
-static bool is_new(const struct reader *r, const struct gear *gear, const struct gear_value *v)
+static bool is_new(const struct reader *reader, const struct gear *gear, const struct gear_value *v)
 {
+  struct reader at = *reader, *const r = &at;
+
+  at.line = v->line;
   for (int k = 0; k < gear->n; k++) {
     const char *const other = gear->value[k].name;
 

@@ -62,7 +62,7 @@ static struct spread read_line(const struct line *at, const struct arguments *a,
   if (strcmp(name, "F_z") != 0)
     s.parameter = libmlg_parameter(name);
   if (s.parameter == LIBMLG_NONE)
-    slip(at, "'%s' is not a parameter (see models/mlg.h)", name);
+    slip(at, "'%s' is not a parameter (docs/model.md has them)", name);
   if (s.parameter == NUMBER_V)
     slip(at, "V is the axis of the answer");
   if (s.parameter != LIBMLG_F_Z && !libmlg_uses(a->layout, s.parameter))
