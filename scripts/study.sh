@@ -123,7 +123,7 @@ settle_request() {
 
 # Markdown on standard input as a page with its pictures in it.
 page() { # FOLDER TITLE
-  sed "s|<title>.*</title>|<title>$2</title>|; s|^</style>|th, td { white-space: nowrap; }\ntd:nth-child(2) { min-width: 0; }\n&|" scripts/report/head.html
+  sed "s|<title>.*</title>|<title>$2</title>|; s|^</style>|th, td { white-space: nowrap; }\ntd:nth-child(2) { min-width: 0; }\ntd:last-child { white-space: normal; }\n&|" scripts/report/head.html
   cmark-gfm --extension table | mlg embed "$1"
   printf '</body>\n</html>\n'
 }

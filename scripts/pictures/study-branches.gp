@@ -16,10 +16,19 @@ set xrange [0:V_top]; set xlabel "V (m/s)" offset 0,0.4
 set title diagram[1:strstrt(diagram, ".") - 1] . sprintf(", c_{d} = %s N m s/rad", cell(sprintf("%s c_d layout=%s which=%s", file, layout, diagram)))
 set ylabel (what eq "psi" ? "max ψ (deg)" : "max δ* (mm)")
 set yrange [0:*]
+# each branch has the name of its shimmy at its largest
+name(b) = cell(sprintf("%s/cycles.csv shimmy layout=%s which=%s branch=%s", folder, layout, diagram, b))
+do for [b in branches] {
+  if (b ne "straight") {
+    stats rows(b) using 6:(s*column(size)) nooutput
+    set label (name(b) eq "psi" ? "ψ" : name(b) eq "delta" ? "δ" : name(b)) at STATS_pos_max_y,STATS_max_y offset 0.8,-0.6 front
+  }
+}
 plot for [b in branches] rows(b) using 6:(part(s*column(size))) with lines lw 6 lc rgb "#d0d0d0", \
      for [b in branches] rows(b) using 6:(s*column(size)) with lines ls 2, \
      for [b in branches] rows(b) using 6:(stable(s*column(size))) with lines ls 1, \
      all using 6:(is("HB", s*column(size))) with points ls 5, \
      all using 6:(is("TR", s*column(size))) with points ls 6, \
+     all using 6:(is("BP", s*column(size))) with points pt 5 ps 0.7 lc rgb "#000000", \
      all using 6:(is("LP", s*column(size))) with points pt 9 ps 0.9 lc rgb "#7b3fa0"
 unset output

@@ -18,7 +18,7 @@ title_if(there, text) = there ? text : ""
 set terminal svg size 640,560 fixed font "DejaVu Sans,14"
 set output output
 set xrange [0:V_top]; set yrange [c_lo:c_hi]; set logscale y; set format y "10^{%T}"
-set xlabel "V (m/s)" offset 0,0.4; set ylabel "c_{d} (N m s/rad)"
+set xlabel "V (m/s)" offset 0,0.9; set ylabel "c_{d} (N m s/rad)"
 set datafile missing NaN
 set key below center horizontal samplen 1.5 width 1 maxrows 4
 if (z_hi > z_lo) {

@@ -6,6 +6,7 @@ set terminal svg size 640,440 fixed font "DejaVu Sans,14"
 set output output
 set logscale xy; set format x "10^{%T}"; set format y "10^{%T}"
 if (k_hi < 100*k_lo) { set xtics () ; do for [e=-3:20] { do for [m in "1 2 5"] { set xtics add (m . "·10^{" . e . "}" m*10.**e) } } }
+if (k_hi < 4*k_lo) { unset logscale x; set xtics autofreq; set format x "%.1t·10^{%T}" }
 if (c_most < 100*c_least) { set ytics (); do for [e=-3:20] { do for [m in "1 2 5"] { set ytics add (m . "·10^{" . e . "}" m*10.**e) } } }
 set xrange [k_lo:k_hi]; set yrange [c_least:c_most]
 set xlabel "k_{s} (N m/rad)"; set ylabel "c_{d} (N m s/rad)"

@@ -186,7 +186,7 @@ plane_section() {
 # A pair of pictures for each diagram, which stand side by side where there is room.
 branches_section() {
   local diagram
-  echo "Shimmy along V at the values of c_d that tell most, as the largest ψ and the largest δ* over a period: blue stable, dashed red unstable; red dots Hopf points, rings torus points, triangles folds$(awk -F, -v layout="$layout" '$1 == layout && $18 == 0 { part = 1 } END { exit part }' "$folder/cycles.csv" || echo "; on grey, the part of a branch up to where AUTO went no further")."
+  echo "Shimmy along V at the values of c_d that tell most, as the largest ψ and the largest δ* over a period: blue stable, dashed red unstable; red dots Hopf points, rings torus points, triangles folds, squares branch points; each branch has its name at its largest$(awk -F, -v layout="$layout" '$1 == layout && $18 == 0 { part = 1 } END { exit part }' "$folder/cycles.csv" || echo "; on grey, the part of a branch up to where AUTO went no further")."
   echo
   for diagram in $(diagrams_of "$layout"); do
     printf '![ψ along V](branches.%s.%s.psi.svg) ![δ* along V](branches.%s.%s.dstar.svg)\n\n' "$layout" "$diagram" "$layout" "$diagram"
