@@ -21,7 +21,7 @@ name(b) = cell(sprintf("%s/cycles.csv shimmy layout=%s which=%s branch=%s", fold
 do for [b in branches] {
   if (b ne "straight") {
     stats rows(b) using 6:(s*column(size)) nooutput
-    set label (name(b) eq "psi" ? "ψ" : name(b) eq "delta" ? "δ" : name(b)) at STATS_pos_max_y,STATS_max_y offset 0.8,-0.6 front
+    set label (name(b) eq "psi" ? "ψ" : name(b) eq "delta" ? "δ" : name(b)) at STATS_pos_max_y,STATS_max_y offset 0.8,0.6 front
   }
 }
 plot for [b in branches] rows(b) using 6:(part(s*column(size))) with lines lw 6 lc rgb "#d0d0d0", \
