@@ -255,6 +255,15 @@ END
   paste -d ' ' changes <(printf '%s\n' 17.6387 21.4608 47.8413 84.1777 | head -n "$(wc -l <changes)") | near_each 2e-3 "b where the limit changes"
 }
 
+@test "beside a region just being born no point of another curve goes missing" {
+  # 1e-12 of k_s apart, of the newborn region both ends or one are found
+  local k_s
+  for k_s in 738964.57441199711 738964.57441125815 738964.57441273607; do
+    run mlg boundary li1 b=195.0721749 k_s="$k_s" V_top=88.84
+    [ "$status" -eq 1 ] || grep -q '^7544.8807[0-9]*,24.184[0-9]*,.*,max,psi$' <<<"$output"
+  done
+}
+
 @test "an interval within a few per cent of k_s, where spring and inertance are in resonance, is found" {
   local gear=$ROOT/docs/examples/gear.regional b k_s width
   while read -r b k_s; do

@@ -189,6 +189,17 @@ static int merge_cluster(struct events *e, const struct crossing *x, double V_le
   return 1;
 }
 
+/* Whether an event of another curve is so near to event i that a region just born there, of
+ * which one end was found alone, makes the counts beside i wrong and not i itself. */
+static int is_crowded(const struct events *e, int i)
+{
+  for (int k = i - 1; k <= i + 1; k += 2)
+    if (k >= 0 && k < e->n && fabs(e->event[k].at.c / e->event[i].at.c - 1.) < 1e-4
+        && fabs(e->event[k].at.t / e->event[i].at.t - 1.) > 1e-3)
+      return 1;
+  return 0;
+}
+
 /* All events by rising c, and crossing[i + 1], the number of crossings above event i.
  * 0, or LIBMLG_UNSURE. */
 static int find_events(const struct crossing *x, double V_least, double V_top, struct events *e, int crossing[MOST + 1])
@@ -227,7 +238,7 @@ static int find_events(const struct crossing *x, double V_least, double V_top, s
     for (double beside = 1e-6; misfit >= 0 && !found && beside < 0.1; beside *= 100.)
       found = add_between(e, x, V_least, V_top, between(e, misfit - 1), e->event[misfit].at.c * (1. - beside))
               || add_between(e, x, V_least, V_top, e->event[misfit].at.c * (1. + beside), between(e, misfit));
-    if (misfit >= 0 && !found)
+    if (misfit >= 0 && !found && !is_crowded(e, misfit))
       found = merge_cluster(e, x, V_least, V_top, misfit);
   } while (found && ++rounds < MOST);
   return misfit < 0 ? 0 : LIBMLG_UNSURE;

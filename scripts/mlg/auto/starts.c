@@ -157,13 +157,14 @@ static double largest_V(const struct run_data *run, int part, long i, int points
 }
 
 /* The exact points at that k_s; at an onset, where two of them are one and cannot be told
- * apart, those a rounding error beside it. */
+ * apart, those a rounding error beside it, of which AUTO's ten digits of k_s know no more. */
 static int exact_points(struct job *j, double k_s, double V_top, struct libmlg_point point[])
 {
+  static const double beside[] = { 0., -1e-9, 1e-9, -3e-9, 3e-9 };
   int n = LIBMLG_UNSURE;
 
-  for (int side = 0; side < 3 && n < 0; side++) {
-    j->a.par[NUMBER_K_S] = fmin(k_s * (1. + (side == 0 ? 0. : side == 1 ? -1e-9 : 1e-9)), MLG_RIGID);
+  for (size_t side = 0; side < sizeof beside / sizeof *beside && n < 0; side++) {
+    j->a.par[NUMBER_K_S] = fmin(k_s * (1. + beside[side]), MLG_RIGID);
     n = libmlg_boundary_points(j->a.layout, j->a.par, 0., 0., V_top, point, LIBMLG_MOST_POINTS);
   }
   j->a.par[NUMBER_K_S] = fmin(k_s, MLG_RIGID);
