@@ -9,8 +9,7 @@ load scratch
 setup_file() {
   scratch verify-bats
   cp -rp "$ROOT"/{tests,results} .
-  mkdir -p build/lib
-  cp -p "$ROOT"/build/lib/* build/lib
+  objects
 }
 
 setup() {
