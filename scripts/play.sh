@@ -38,7 +38,8 @@ done
 # what the end of the branch would be refused for later: its range, friction without v_f
 others=()
 for word in ${constants[@]+"${constants[@]}"}; do [[ $word == "$along="* ]] || others+=("$word"); done
-mlg constants constants/c.l1.orbit layout="$layout" ${others[@]+"${others[@]}"} "$along=$to" > /dev/null || exit $?
+there=$(mlg constants constants/c.l1.orbit layout="$layout" ${others[@]+"${others[@]}"} "$along=$to") || exit $?
+[[ $there =~ $'\nPAR = '[^$'\n']*"'$along':" ]] || fail "play.sh: 'along=$along': not a parameter of AUTO's, along which a branch could go (F_z: along=M)" 2
 mkdir -p build/tables
 mlg cycle "$layout" orbit ${cycle[@]+"${cycle[@]}"} > "build/tables/$name.dat.new" || {
   status=$?

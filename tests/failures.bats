@@ -189,7 +189,7 @@ EOF
     refuses "mlg $command: 'k_psi=0': outside its range, 1 to 1e+12 N m/rad" mlg $command li1 k_psi=0
     refuses "mlg $command: 'compliance=-1': outside its range, 0 to 100000 1e-5 rad/(N m)" mlg $command li1 compliance=-1
     refuses "mlg $command: 'R=nan': expected NAME=NUMBER" mlg $command li1 R=nan
-    refuses "mlg $command: 'R': expected NAME=NUMBER" mlg $command li1 R
+    refuses "mlg $command: 'R': expected NAME=NUMBER; \`mlg help $command\` has its other words" mlg $command li1 R
     refuses "mlg $command: 'c_q=1': no such parameter*" mlg $command li1 c_q=1
     refuses "mlg $command: 'V=20': *" mlg $command li1 V=20
     refuses "mlg $command: 'c_d=1e3': *" mlg $command li1 c_d=1e3

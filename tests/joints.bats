@@ -268,6 +268,16 @@ EOF
   refuses "*T_f, T_psi) needs v_f above 0*" mlg decay l1 T_psi=0:9
   refuses "*'release=1:200': outside its range*" mlg decay l1 release=1:200
   refuses "*'cycles=1': at= asks for one amplitude*" mlg joints l1 V=10:20:2 at=1 cycles=1
+  refuses "*'cycles=1': goes with a range NAME=FROM:TO:N; *" mlg joints l1 cycles=1
+  refuses "*'near=3': goes with at=DEGREES" mlg joints l1 near=3
+  refuses "*'settle=3': goes with cycles=1" mlg joints l1 V=20:60:2 settle=3
+  refuses "*'psi_most=1': at= asks for one amplitude*" mlg joints l1 at=1 psi_most=1
+  refuses "*'points=20': goes with .mlg cycle LAYOUT orbit." mlg cycle l1 motion psi=0.05 points=20
+  refuses "*'motoin': expected NAME=NUMBER; .mlg help cycle. has its other words" mlg cycle l1 motoin psi=0.05
+  refuses "*'steps=0': outside its range, 1 to 1e+12" mlg cycle l1 motion psi=0.05 steps=0
+  refuses "*'longest=29': outside its range, 30 to 1e+06 s" mlg search l1 c_lo=1e3 c_hi=1e4 longest=29
+  refuses "*'along=F_z': not a parameter of AUTO's*" scripts/play.sh odd l1 along=F_z to=2e5 psi=0.05
+  refuses "*'along=NMX': not a parameter of AUTO's*" scripts/play.sh odd l1 along=NMX to=5 psi=0.05
   run -0 --separate-stderr mlg decay l1 V=170 c_d=2890 g_psi=0.004363 v_f=0.01 T_psi=100:200 # it dies out at both
   [ "${lines[1]}" = ",dies,dies,,dies,dies" ] && [ -z "$stderr" ]
   [ "$(mlg decay l1 T_psi=100:200 V=150:170:2 c_d=2890 g_psi=0.004363 v_f=0.01 | tail -n 1)" = "170,,dies,dies,,dies,dies" ] # in any order

@@ -66,7 +66,8 @@ commands() {
   refuses "mlg eigenvalues: 'c_q=1': no such parameter (see models/mlg.h)" eigenvalues l1 c_q=1
   refuses "mlg eigenvalues: 'psi_max=1': no such parameter (see models/mlg.h)" eigenvalues l1 psi_max=1
   local word
-  for word in R R= =1 R=nan R=inf R=1e999 R=0x10 R=1,2 'R=1 2' 'R= 1' R=one V=20=3 '' 'V =3'; do
+  refuses "mlg eigenvalues: 'R': expected NAME=NUMBER; \`mlg help eigenvalues\` has its other words" eigenvalues l1 R
+  for word in R= =1 R=nan R=inf R=1e999 R=0x10 R=1,2 'R=1 2' 'R= 1' R=one V=20=3 '' 'V =3'; do
     refuses "mlg eigenvalues: '$word': expected NAME=NUMBER" eigenvalues l1 "$word" ||
       refuses "mlg eigenvalues: '$word': no such parameter (see models/mlg.h)" eigenvalues l1 "$word"
   done
@@ -158,10 +159,31 @@ gear() {
   gear "gear:1: expected ':' and not '}'; the form is PAR = {'name': value, ...}" "PAR = {'V'}"
   gear "gear:1: expected '{' and not '[1, 2]'; the form is PAR = {'name': value, ...}" "PAR = [1, 2]"
   gear 'gear: holds a zero byte; not a file of gear parameters' "PAR = {'V': 3}\\0000"
+  gear "gear:1: F_z = inf is not a finite number" "PAR = {'F_z': inf}"
+  gear "gear:1: F_z = 0 N is outside its range, 0.001 to 1e+09" "PAR = {'F_z': 0 N}"
+  gear "gear:1: PAR: F_z is given twice" "PAR = {'F_z': 2e5, 'F_z': 2e5}"
+  printf "\xef\xbb\xbfPAR\t=\t{'V':\t30\tm/s}\r\n" >gear # as Windows writes it
+  mlg eigenvalues l1 gear=gear | cmp - <(mlg eigenvalues l1 V=30)
   printf "PAR = {'b': 3}" >gear
   refuses "mlg eigenvalues: 'gear=gear': layout l1 has no b" eigenvalues l1 gear=gear
   printf "PAR = {'F_z': 600}" >gear
   refuses "mlg eigenvalues: 'gear=gear': its F_z makes M = F_z/g - m_D = -438.838 kg, outside its range, 0 to 1e+06 kg" eigenvalues l1 gear=gear
+}
+
+@test "of a range no count wraps, no end is a word or a hexadecimal number" {
+  local range
+  for range in 1:100:4294967298 1:100:1e9 1:100:1.5 1:100:1 1:100: 1:100 :100:3 1::3 100:1:3 nan:100:3 -inf:100:3 1:inf:3 0x1:100:3 '1: 100:3' 1:100:3:4; do
+    refuses "mlg joints: 'V=$range': expected NAME=FROM:TO:N, FROM below TO and N a whole number from 2 to 1000000" joints l1 V="$range"
+  done
+  refuses "mlg tolerance: 'k_s=3e5:4e6:4294967298': expected NAME=FROM:TO:N, FROM below TO and N a whole number from 2 to 1000000" \
+    tolerance li2 map k_s=3e5:4e6:4294967298
+}
+
+@test "the loads of an axis are those that a gear may have" {
+  refuses "mlg loads: from = 1000 N makes M = F_z/g - m_D = -398.063 kg, outside its range, 0 to 1e+06 kg" loads l2 k_s=7e5 from=1e3
+  refuses "mlg loads: to = 1e+09 N makes M = F_z/g - m_D = 1.01936e+08 kg, outside its range, 0 to 1e+06 kg" \
+    loads l2 k_s=7e5 to=1e9 step=1e8
+  refuses "mlg loads: 'widets': expected NAME=NUMBER; \`mlg help loads\` has its other words" loads l2 widets
 }
 
 @test "every command says that it cannot write" {

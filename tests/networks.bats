@@ -313,6 +313,12 @@ EOF
     run -2 mlg explore $words
     [[ "$output" == "mlg explore: '${words##* }': all "*" are searched; to begin at a design give its c_d as well" ]]
   done
+  run -2 mlg explore 'k_d|(c_d-c_2=300)' free=c_2 free=c_2
+  [ "$output" = "mlg explore: 'free=c_2': given already" ]
+  run -2 mlg explore l1 zeta zeta
+  [ "$output" = "mlg explore: 'zeta': given already" ]
+  run -2 mlg explore li1 zeta k_s=1e6 b=400 c_d=1e4
+  [ "$output" = "mlg explore: 'b=400': above b_most = 300, up to which b is searched" ]
   run -2 mlg explore 'k_d|(c_d-c_2=300)' free=c_3
   [ "$output" = "mlg explore: 'free=c_3': the network has no element c_3=VALUE" ]
   run -1 mlg deltamode M=1e6

@@ -30,11 +30,12 @@ advice_row() {
 
 # F_z,F_FROM,F_TO: its load, and the loads around it that it bears, in 1/200 of it
 advice_loads() { # LAYOUT C_D WORD...
-  local layout=$1 c_d=$2 load words=() word
+  local layout=$1 c_d=$2 load least words=() word # least: where M is 0
   shift 2
   load=$(mlg gearinfo facts "$@" 2> /dev/null | awk -F, '$1 == "F_z" { print $2 }')
+  least=$(mlg gearinfo "$@" 2> /dev/null | awk -F, '{ v[$1] = $2 } END { printf "%.12g", v["m_D"] * v["g"] * (1 + 1e-9) }')
   for word; do case $word in F_z=*) ;; *) words+=("$word") ;; esac; done
-  mlg loads "$layout" "${words[@]}" c_d="$c_d" from="$(awk "BEGIN { print 0.5 * $load }")" to="$(awk "BEGIN { print 1.5 * $load }")" \
+  mlg loads "$layout" "${words[@]}" c_d="$c_d" from="$(awk "BEGIN { half = 0.5 * $load; print (half > $least ? half : $least) }")" to="$(awk "BEGIN { print 1.5 * $load }")" \
     step="$(awk "BEGIN { print $load / 200 }")" | awk -F, -v own="$load" '
     NR > 2 { F[++n] = $1; z[n] = $9; if ($1 < own * 1.0001) at = n }
     END {

@@ -12,7 +12,7 @@
 #include "command.h"
 #include "gearfile.h"
 
-enum { LINE = 1024 };
+enum { LINE = 1024, MOST_IN_RANGE = 1000000 };
 
 /* A message stays one line whatever it quotes. */
 static void say(const char *text)
@@ -72,7 +72,7 @@ double in_range(const char *command, const char *word, const char *unit, double 
                 double value)
 {
   if (!(value >= least && value <= most))
-    refuse(command, word, "outside its range, %g to %g %s", least, most, unit);
+    refuse(command, word, "outside its range, %g to %g%s%s", least, most, *unit ? " " : "", unit);
   return value;
 }
 
@@ -145,6 +145,8 @@ void take_word(struct arguments *a, const char *word)
   }
   if (equals && (strcmp(word, "k_s=inf") == 0))
     value = MLG_RIGID;
+  else if (!equals && *word)
+    refuse(a->command, word, "expected NAME=NUMBER; `mlg help %s` has its other words", a->command);
   else if (!equals || equals == word || !is_number(equals + 1, &value))
     refuse(a->command, word, "expected NAME=NUMBER");
   take_value(a, word, (size_t)(equals - word), value);
@@ -306,12 +308,24 @@ int output_status(const char *command)
 struct range take_range(struct arguments *a, const char *text)
 {
   struct range r = { .text = text };
-  const char *equals = strchr(text, '=');
-  char rest;
+  const char *at = strchr(text, '=');
+  double part[3];
+  int n = 0;
 
-  if (!equals || sscanf(equals + 1, "%lf:%lf:%d%c", &r.from, &r.to, &r.n, &rest) != 3 || !(r.from < r.to && isfinite(r.to))
-      || r.n < 2)
-    refuse(a->command, text, "expected NAME=FROM:TO:N, FROM below TO and N above 1");
+  for (bool more = at != NULL; more && n < 3; n++) {
+    char number[64] = "";
+    const size_t length = strcspn(++at, ":");
+
+    if (length < sizeof number)
+      memcpy(number, at, length);
+    if (!is_number(number, &part[n]))
+      break;
+    at += length;
+    more = *at == ':';
+  }
+  if (n < 3 || *at || !(part[0] < part[1]) || !(part[2] >= 2. && part[2] <= MOST_IN_RANGE && part[2] == floor(part[2])))
+    refuse(a->command, text, "expected NAME=FROM:TO:N, FROM below TO and N a whole number from 2 to %d", MOST_IN_RANGE);
+  r.from = part[0], r.to = part[1], r.n = (int)part[2];
   take_value(a, text, range_name_length(&r), r.to);
   return r;
 }

@@ -68,7 +68,7 @@ void retake_value(struct arguments *a, const char *word, size_t length, double v
 /* A word NAME=FROM:TO:N, N values from FROM to TO; text is the word. */
 struct range { const char *text; double from, to; int n; };
 
-/* Reads one, FROM below TO and N above 1, and gives TO to its name; or refuses it. */
+/* Reads one, FROM below TO and N from 2 to a million, and gives TO to its name; or refuses it. */
 struct range take_range(struct arguments *a, const char *text);
 
 /* How long NAME is. */

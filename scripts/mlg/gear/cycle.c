@@ -116,6 +116,9 @@ static int cycle(int argc, char *argv[])
   end_arguments(&a);
   const int n = libmlg_states(a.layout);
 
+  if (option[n + POINTS].word && what != ORBIT)
+    refuse(name, option[n + POINTS].word, "goes with `mlg cycle LAYOUT orbit`");
+
   for (int i = 0; i < n; i++)
     start[i] = option[i].value;
   if (libmlg_oscillation_size(a.layout, start) < 1e-11)

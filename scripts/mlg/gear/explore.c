@@ -20,6 +20,7 @@ static void print_row(enum quantity q, const struct explorer *e, const struct fo
   for (int i = 0; i < e->others; i++)
     printf(",%.10g", f->other[i]);
   printf("\n");
+  fflush(stdout);
 }
 
 /* Takes leading words that are quantities; returns how many. */
@@ -30,8 +31,11 @@ static int take_quantities(int argc, char *argv[], bool asked[QUANTITIES])
   for (bool taken = true; taken && n + 2 < argc; n += taken) {
     taken = false;
     for (int q = 0; q < QUANTITIES; q++)
-      if (strcmp(argv[n + 2], quantity_name[q]) == 0)
+      if (strcmp(argv[n + 2], quantity_name[q]) == 0) {
+        if (asked[q])
+          refuse(argv[0], argv[n + 2], "given already");
         taken = asked[q] = true;
+      }
   }
   for (int q = 0; q < QUANTITIES && n == 0; q++)
     asked[q] = true;
@@ -86,14 +90,20 @@ static int run(int argc, char *argv[])
   if (!(option[V_LEAST].value < a.V_top))
     fail(argv[0], MLG_BAD_INPUT, "V_least = %g m/s is not below V_top = %g m/s", option[V_LEAST].value, a.V_top);
   explore_begin(&e, a.layout, a.par, option[B_MOST].value, option[V_LEAST].value, a.V_top);
-  for (int i = first; i < argc; i++)
+  for (int i = first; i < argc; i++) {
+    for (int k = first; k < i && take_free(argv[i]); k++)
+      if (strcmp(argv[k], argv[i]) == 0)
+        refuse(argv[0], argv[i], "given already");
     if (take_free(argv[i]) && explore_free(&e, take_free(argv[i])) != 0)
       refuse(argv[0], argv[i], "the network has no element %s=VALUE", take_free(argv[i]));
+  }
   if (e.others > 0) {
     if (asked[TOLERANCE] && first > 2)
       refuse(argv[0], "tolerance", "further elements have no tolerance; leave free=NAME out");
     asked[TOLERANCE] = false;
   }
+  if (a.word[NUMBER_B] && a.par[NUMBER_B] > option[B_MOST].value)
+    refuse(argv[0], a.word[NUMBER_B], "above b_most = %g, up to which b is searched", option[B_MOST].value);
   if (from)
     explore_place(&e, a.par[NUMBER_K_S], a.par[NUMBER_B], a.par[NUMBER_C_D], given);
   printf("# zeta -, width N m s/rad, ratio -, load N, tolerance %%; k_s N m/rad, b N m s^2/rad, c_lo, c_hi N m s/rad\n"

@@ -194,6 +194,8 @@ int read_gear(const char *file, struct gear *gear, struct text *why)
   gear->n = 0;
   if (right) {
     r.at = text.at ? text.at : "";
+    if (strncmp(r.at, "\xef\xbb\xbf", 3) == 0) /* the mark that Windows begins files with */
+      r.at += 3;
     r.line = 1;
     right = read_values(&r, gear);
   }

@@ -151,6 +151,14 @@ static int joints(int argc, char *argv[])
     refuse(name, option[PSI_MOST].word ? option[PSI_MOST].word : option[LEAST].word, "psi_most has to be above psi_least");
   if (option[AT].word && option[CYCLES].value > 0.)
     refuse(name, option[CYCLES].word, "at= asks for one amplitude, not for cycles");
+  if (option[AT].word && (option[LEAST].word || option[PSI_MOST].word))
+    refuse(name, option[LEAST].word ? option[LEAST].word : option[PSI_MOST].word, "at= asks for one amplitude, not for cycles");
+  if (option[NEAR].word && !option[AT].word)
+    refuse(name, option[NEAR].word, "goes with at=DEGREES");
+  if (option[CYCLES].value > 0. && m.grid.ranges == 0)
+    refuse(name, option[CYCLES].word, "goes with a range NAME=FROM:TO:N; `mlg cycle` has the cycle of one gear");
+  if (option[SETTLE].word && !(option[CYCLES].value > 0.))
+    refuse(name, option[SETTLE].word, "goes with cycles=1");
   if (option[AT].word && m.grid.ranges == 0)
     print_equivalent(&m.a, option);
   else if (m.grid.ranges == 0)

@@ -170,7 +170,19 @@ static int print_largest(struct job *j)
   return output_status(name);
 }
 
-static void check(struct job *j, bool searches)
+/* The M of an end of the axis is one that a gear may have; F_z itself is in the range of its option. */
+static void check_load(const struct job *j, int end)
+{
+  double par[LIBMLG_MOST_PARAMETERS];
+
+  memcpy(par, j->a.par, sizeof par);
+  libmlg_set(par, LIBMLG_F_Z, j->option[end].value);
+  if (!(par[NUMBER_M] >= libmlg_least(NUMBER_M) && par[NUMBER_M] <= libmlg_most(NUMBER_M)))
+    fail(name, MLG_BAD_INPUT, "%s = %g N makes M = F_z/g - m_D = %g kg, outside its range, %g to %g kg", j->option[end].name,
+         j->option[end].value, par[NUMBER_M], libmlg_least(NUMBER_M), libmlg_most(NUMBER_M));
+}
+
+static void check(struct job *j, bool searches, bool over_loads)
 {
   const struct option *o = j->option;
 
@@ -181,6 +193,8 @@ static void check(struct job *j, bool searches)
     refuse(name, j->a.F_z_word, "the load is the axis: from, to, step");
   if (!(o[FROM].value < o[TO].value))
     fail(name, MLG_BAD_INPUT, "from = %g is not below to = %g N", o[FROM].value, o[TO].value);
+  for (int end = FROM; end <= TO && over_loads; end++) /* `largest` looks at any */
+    check_load(j, end);
   if (steps(j) >= MOST_LOADS)
     refuse(name, o[STEP].word ? o[STEP].word : o[TO].word, "more than %d loads", MOST_LOADS);
   if (!searches && (o[B_LEAST].word || o[B_MOST].word))
@@ -220,7 +234,7 @@ static int run(int argc, char *argv[])
   end_arguments(&j.a);
   if (search == LARGEST && !j.option[TO].word)
     j.option[TO].value = 400e3;
-  check(&j, search != GIVEN);
+  check(&j, search != GIVEN, search != LARGEST);
   j.over_b = j.option[B_MOST].word != NULL;
   if (search == LARGEST)
     return print_largest(&j);
@@ -241,7 +255,7 @@ const struct command command_loads = {
   .usage = "LAYOUT [widest | damped | over | largest] [NAME=VALUE ...] [OPTION=VALUE ...]",
   .summary = "zero-shimmy intervals and damping over the static load F_z",
   .details =
-    "F_z = (M + m_D) g enters through M; m_D stays.  A row for each load from `from` to `to`:\n"
+    "F_z = (M + m_D) g enters through M, 0 at least; m_D stays.  A row for each load from `from` to `to`:\n"
     "  mlg loads l2 k_s=7.86e5            the device given; without c_d the middle of its widest\n"
     "                                     interval at the gear's own load\n"
     "  mlg loads li1 widest b=140         at each load the k_s of the widest interval\n"
