@@ -272,8 +272,8 @@ EOF
   refuses "*'near=3': goes with at=DEGREES" mlg joints l1 near=3
   refuses "*'settle=3': goes with cycles=1" mlg joints l1 V=20:60:2 settle=3
   refuses "*'psi_most=1': at= asks for one amplitude*" mlg joints l1 at=1 psi_most=1
-  refuses "*'points=20': goes with .mlg cycle LAYOUT orbit." mlg cycle l1 motion psi=0.05 points=20
-  refuses "*'motoin': expected NAME=NUMBER; .mlg help cycle. has its other words" mlg cycle l1 motoin psi=0.05
+  refuses "*'points=20': goes with ?mlg cycle LAYOUT orbit?" mlg cycle l1 motion psi=0.05 points=20
+  refuses "*'motoin': expected NAME=NUMBER; ?mlg help cycle? has its other words" mlg cycle l1 motoin psi=0.05
   refuses "*'steps=0': outside its range, 1 to 1e+12" mlg cycle l1 motion psi=0.05 steps=0
   refuses "*'longest=29': outside its range, 30 to 1e+06 s" mlg search l1 c_lo=1e3 c_hi=1e4 longest=29
   refuses "*'along=F_z': not a parameter of AUTO's*" scripts/play.sh odd l1 along=F_z to=2e5 psi=0.05
