@@ -63,7 +63,8 @@ static struct state state_at(struct search *s, double u)
     const double width = size(s, interval[i].lo.c_d, interval[i].hi.c_d);
 
     here.signature = here.signature * 64 + (unsigned long)interval[i].lo.kind * 8 + (unsigned long)interval[i].hi.kind;
-    if (width > here.width) {
+    /* where two regions part the interval between them is rounding first */
+    if (width > here.width && interval[i].hi.c_d > interval[i].lo.c_d * (1. + 1e-9)) {
       here.width = width;
       here.widest = interval[i];
     }

@@ -35,9 +35,15 @@ static int look_at(struct job *j, double compliance, struct region *r)
   return status;
 }
 
+/* A place where two points are one is a single one: then beside it. */
 static void region_at(struct job *j, double compliance, struct region *r)
 {
-  checked(j->command, look_at(j, compliance, r));
+  static const double beside[] = { 0., -1e-8, 1e-8, -1e-7, 1e-7, -1e-6, 1e-6 };
+  int status = LIBMLG_UNSURE;
+
+  for (size_t i = 0; i < sizeof beside / sizeof *beside && status != 0; i++)
+    status = look_at(j, compliance * (1. + beside[i]), r);
+  checked(j->command, status);
 }
 
 static void print_region(const struct job *j, const struct region *r)
