@@ -49,27 +49,23 @@ words_of() { # LAYOUT CHOICE
   words=("$1" k_s="$k_s" b="$b")
 }
 
-# Amplitudes over V and play
-runs_cycles() {
-  local layout choice k_s b c_d words
+# mlg joints with these words for each layout and choice, named by PREFIX and choice
+for_choices() { # PREFIX WORD...
+  local prefix=$1 layout choice k_s b c_d words
+  shift
   for layout in $layouts; do
     for choice in middle best; do
       words_of "$layout" $choice
-      of "$choice" "$layout" mlg joints "${words[@]}" c_d="$c_d" V=10:200:20 g_psi="$(rad 0.125):$(rad 1):8" cycles=1
+      of "$prefix$choice" "$layout" mlg joints "${words[@]}" c_d="$c_d" "$@" cycles=1
     done
   done
 }
 
+# Amplitudes over V and play
+runs_cycles() { for_choices '' V=10:200:20 g_psi="$(rad 0.125):$(rad 1):8"; }
+
 # Psi over a play so small that the gear is linear
-runs_play() {
-  local layout choice k_s b c_d words
-  for layout in $layouts; do
-    for choice in middle best; do
-      words_of "$layout" $choice
-      of "small.$choice" "$layout" mlg joints "${words[@]}" c_d="$c_d" V=5:200:40 g_psi="$(rad 0.02)" cycles=1
-    done
-  done
-}
+runs_play() { for_choices small. V=5:200:40 g_psi="$(rad 0.02)"; }
 
 runs_planes() {
   local layout k_s b c_d words
