@@ -27,7 +27,7 @@ set -euo pipefail
 
 readonly home=build/mutants limit=300 # seconds for the tests of a file
 root=$PWD
-jobs=${jobs:-$(nproc)}
+jobs=${jobs:-$(processors)}
 
 # chosen [BEGINNING...]: the names that begin so; each has to mean something
 chosen() {

@@ -115,7 +115,8 @@ progress() { # BEGUN OF
 }
 
 main() {
-  local names name n=0 whole=no built=yes
+  local names name n=0 whole=no built=yes processors
+  processors=$(processors)
   [ $# -gt 0 ] || whole=yes
   names=$(chosen "$@")
   alone
@@ -126,7 +127,7 @@ main() {
   [ "$built" = yes ] || echo "0 1 0 programs: not all were built, see above" >"$counts/programs"
   trap stop INT TERM
   for name in $names; do
-    while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do
+    while [ "$(jobs -rp | wc -l)" -ge "$processors" ]; do
       wait -n || true
     done
     n=$((n + 1))

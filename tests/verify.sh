@@ -39,8 +39,9 @@ one() { # PART
   printf '  %-14s %4d rows %6.1f s\n' "$1" "$(wc -l < "$rows/$1.csv")" "$(((${EPOCHREALTIME/./} - started) / 100000))e-1" >&2
 }
 
+processors=$(processors)
 for part in "${parts[@]}"; do
-  while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n; done
+  while [ "$(jobs -rp | wc -l)" -ge "$processors" ]; do wait -n; done
   one "$part" &
 done
 wait

@@ -10,3 +10,6 @@ unset CDPATH POSIXLY_CORRECT AWKPATH GREP_OPTIONS GNUTERM GNUPLOT_LIB
 export LC_ALL=C OMP_NUM_THREADS=1
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." || exit
 case $PATH in "$PWD/build/tools":*) ;; *) export PATH="$PWD/build/tools:$PATH" ;; esac
+
+# How many jobs run side by side: nproc alone heeds OMP_NUM_THREADS.
+processors() { env -u OMP_NUM_THREADS nproc; }

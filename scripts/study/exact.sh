@@ -258,10 +258,12 @@ exact_parts() {
   layouts=${left# }
 }
 
+processors=$(processors)
+
 # job COMMAND WORD...: in the background, one for each processor at a time, and in a process
 # group of its own, by which end_jobs ends it with all that it started.
 job() {
-  while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done
+  while [ "$(jobs -rp | wc -l)" -ge "$processors" ]; do wait -n || true; done
   set -m
   (trap - ERR EXIT INT TERM HUP; set +em; "$@") < /dev/null &
   set +m

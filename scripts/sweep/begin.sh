@@ -25,7 +25,7 @@ find_description() { # FILE
 read_words() { # COMMAND WORD...
   local command=$1 word seen=' '
   shift
-  retry=() jobs=$(env -u OMP_NUM_THREADS nproc) tasks=1000 options=()
+  retry=() jobs=$(processors) tasks=1000 options=()
   for word; do
     case $command:$word in
       *:jobs=* | *:tasks=*)
