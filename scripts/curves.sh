@@ -102,7 +102,7 @@ diagram_rows() {
 
 begin_diagrams() { # LINE [TABLE]
   begin_table "${2:-results/$figure.csv}" "$1" \
-    "# curve: number at that b (N m s^2/rad) and k_s (N m/rad; 1e30 is infinite); shimmy: what it bounds, psi or delta;" \
+    "# curve: number at that b (N m s^2/rad) and k_s (N m/rad; inf: rigid); shimmy: what it bounds, psi or delta;" \
     "# V m/s; c_d N m s/rad; type LP: boundary point, an extremum of c_d along the curve. V from 0.1 to 200, c_d from" \
     "# 10 to 8e4; a closed curve ends on its first point." \
     panel,b,k_s,curve,shimmy,type,V,c_d

@@ -15,7 +15,7 @@
 . "$(dirname "$(realpath "$0")")/auto/lib.sh"
 . scripts/curves.sh
 
-large="1e30 3e6 1.5e6 1e6 8e5"
+large="inf 3e6 1.5e6 1e6 8e5"
 small="5.9e5 5.2e5 4.8e5 4.6e5"
 
 # shellcheck disable=SC2086 # a word for each k_s

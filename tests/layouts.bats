@@ -40,7 +40,8 @@ setup() {
 }
 
 @test "a run that a layout has no constants file for takes one made of L1's" {
-  auto_run straight li2.straight c_d=3.6e4 k_s=1e30 b=0 -- HB=4
+  auto_run straight li2.straight c_d=3.6e4 k_s=inf b=0 -- HB=4
+  [ "$(build/bin/mlg rows straight columns=k_s | sort -u)" = inf ]
   auto_run psi li2.periodic from=straight -- TR=1 closed=1
   near "$(value psi TR V)" 30.7865 1e-5 "V of the torus point of L1"
   grep -q "^NDIM = 9$" build/runs/psi/c.psi

@@ -159,3 +159,9 @@ END
   is 2 ./closed.csv closed
   is 1 ./closed.csv closed k_s=2e5
 }
+
+@test "no table has AUTO's number for a rigid k_s" {
+  run ! grep -lE '1e\+?30' "$ROOT"/results/*.csv "$ROOT"/results/*.md
+  [ "$(mlg gearinfo | awk -F, '$1 == "k_s" { print $2, $3 }')" = "inf inf" ]
+  [ "$(mlg criticality l1 <<< 10,2700,inf,0,11)" = "$(mlg criticality l1 <<< 10,2700,1e30,0,11)" ]
+}

@@ -125,7 +125,7 @@ sources() {
 # shellcheck disable=SC2034 # for who asks
 paper_gear() { # LAYOUT
   case $1 in
-    l1) k_s=1e30 b=0 ;;
+    l1) k_s=inf b=0 ;;
     l2) k_s=7.86e5 b=0 ;;
     li1) k_s=6.38e5 b=140 ;;
     li2) k_s=2.48e6 b=140 ;;

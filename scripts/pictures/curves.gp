@@ -24,8 +24,8 @@ part(j, c) = 16*digit(substr(word(palette, j), 2*c - 1, 2*c - 1)) + digit(substr
 mix(x, c) = (j = int(x) < words(palette) ? int(x) : words(palette) - 1, int(part(j, c) + (x - j)*(part(j + 1, c) - part(j, c))))
 tint(x, light) = light ? int(x + 0.4*(255 - x)) : int(0.85*x) # neighbours are light and dark
 shade(x, light) = sprintf("#%02x%02x%02x", tint(mix(x, 1), light), tint(mix(x, 2), light), tint(mix(x, 3), light))
-colour(k) = k eq "1e30" ? "#000000" : shade(1 + (words(palette) - 1.)*below(k)/(words(all_k) - 1.), int(below(k)) % 2)
-power(k) = k eq "1e30" ? "∞" : (e = strstrt(k, "e"), sprintf("%s·10^{%s}", k[1:e-1], k[e+1:*]))
+colour(k) = k eq "inf" ? "#000000" : shade(1 + (words(palette) - 1.)*below(k)/(words(all_k) - 1.), int(below(k)) % 2)
+power(k) = k eq "inf" ? "∞" : (e = strstrt(k, "e"), sprintf("%s·10^{%s}", k[1:e-1], k[e+1:*]))
 
 do for [ending in "png svg"] {
   if (ending eq "png") { set terminal pngcairo size width,height font "DejaVu Sans,14" } \

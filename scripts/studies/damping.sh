@@ -26,7 +26,7 @@ plane() { # LAYOUT K_S B
 }
 
 runs_planes() {
-  plane l1 1e30 0
+  plane l1 inf 0
   plane l2 4.755e5 0
   plane li1 3.048e5 140
   plane li2 1.4046e6 140
@@ -72,7 +72,7 @@ tables() {
   begin_table results/damping.csv \
     "# The least damping ratio zeta = -Re(s)/|s| over V in 0.3..200 m/s, exactly. choice: middle of the paper's zero-shimmy" \
     "# interval of c_d; paper, the best c_d at the paper's k_s; widest, that at the k_s of the widest interval at that b;" \
-    "# best, the best c_d and k_s; over_b, the best c_d, k_s and b in 0..300. b N m s^2/rad, k_s N m/rad (1e30: rigid)," \
+    "# best, the best c_d and k_s; over_b, the best c_d, k_s and b in 0..300. b N m s^2/rad, k_s N m/rad (inf: rigid)," \
     "# c_d N m s/rad; V m/s, frequency_hz Hz and shimmy of that mode, of that of delta where two share zeta; t_5 s, the time" \
     "# in which it decays to 5 %."
   {

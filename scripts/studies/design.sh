@@ -19,12 +19,6 @@
 layouts="l1 l2 li1 li2"
 b_of() { case $1 in li*) echo 140 ;; *) echo 0 ;; esac; } # the paper's b
 
-# Sets k_s and b of the paper
-paper() {
-  paper_gear "$1"
-  k_s=${k_s/1e30/inf}
-}
-
 # words LAYOUT K_S B: the device for mlg
 words() {
   case $1 in l1) ;; l2) echo "k_s=$2" ;; *) echo "k_s=$2 b=$3" ;; esac
@@ -51,7 +45,7 @@ middle() { # LAYOUT K_S B: the middle of the widest interval there
 
 loads_of() { # LAYOUT
   local layout=$1 b k_s
-  paper "$layout"
+  paper_gear "$layout"
   # shellcheck disable=SC2046
   prefixed "$layout,paper" loads "$layout" $(words "$layout" "$k_s" "$b") c_d="$(middle "$layout" "$k_s" "$b")"
   prefixed "$layout,widest" loads "$layout" widest b="$b"
@@ -85,7 +79,7 @@ runs_loads() {
 
 tolerances_of() { # LAYOUT
   local layout=$1 b k_s c_d
-  paper "$layout"
+  paper_gear "$layout"
   # shellcheck disable=SC2046
   prefixed "$layout,paper" tolerance "$layout" $(words "$layout" "$k_s" "$b")
   if [ "$layout" != l1 ]; then
@@ -125,7 +119,7 @@ best_design() { case $1 in li*) design "$1" tolerant_b ;; *) design "$1" toleran
 
 elasticities_of() { # LAYOUT
   local layout=$1 k_s b c_d
-  paper "$layout"
+  paper_gear "$layout"
   # shellcheck disable=SC2046
   prefixed_elasticities "$layout,paper,$k_s,$b,$(middle "$layout" "$k_s" "$b")" elasticities "$layout" $(words "$layout" "$k_s" "$b")
   best_design "$layout"
@@ -137,7 +131,7 @@ prefixed_elasticities() { mlg "${@:2}" | sed "1,2d; s/^/$1,/"; }
 
 probabilities_of() { # LAYOUT
   local layout=$1 k_s b c_d
-  paper "$layout"
+  paper_gear "$layout"
   # shellcheck disable=SC2046
   prefixed "$layout,paper" probability "$layout" $(words "$layout" "$k_s" "$b") spread=docs/examples/spread
   best_design "$layout"
@@ -190,7 +184,7 @@ runs_auto() {
       n=$((n + 1))
       for way in up down; do
         runs+=("design.$layout.$n.$way")
-        run "${runs[-1]}" boundary.point model="$layout.boundary" "$start" b="$b" compliance="$(awk "BEGIN { printf \"%.15g\", 1e5 / $k_s }")" \
+        run "${runs[-1]}" boundary.point model="$layout.boundary" "$start" b="$b" compliance="$(awk -v k_s="$k_s" 'BEGIN { printf "%.15g", k_s == "inf" ? 0 : 1e5 / k_s }')" \
           ICP="['M', 'V_1', 'c_1', 'f_1', 'ratio_1', 'kind_1', 'b', 'compliance', 'fold']" THL="{'M': 1e-8}" \
           DS="$([ $way = up ] && echo 0.01 || echo -0.01)" DSMAX=0.02 \
           UZSTOP="{'M': [$(mass 100), $(mass 250)], 'V_1': [0.1, 200.0], 'c_1': [100.0, 1e6], 'fold': 0.0}" --

@@ -20,7 +20,6 @@ design() { # LAYOUT
     li[345]) IFS=, read -r b k_s < <(mlg pick results/widths.csv where=layout="$1" columns=width,b,k_s | sort -t, -k1,1gr | sed -n '1s/^[^,]*,//p') ;;
     *) paper_gear "$1" ;;
   esac
-  k_s=${k_s/1e30/inf}
 }
 
 # The widest interval at one k_s and b: c_lo,c_hi,width, nothing between without one

@@ -187,7 +187,7 @@ def fig07(panels):
 def stiffness(name):
     """The number in "4.8\u00b710" with its exponent."""
     if name == "\u221e":
-        return 1e30
+        return math.inf
     parts = name.split("\u00b710")
     return float(parts[0]) * 10.0 ** float(parts[1]) if len(parts) == 2 else math.nan
 
@@ -214,7 +214,7 @@ def diagrams(name, panels, y):
             if curves("delta"):
                 panel.shows("line", colours[k_s], dashed, curves("delta"))
         panel.nothing_else()
-    if "1e30" in colours and colours["1e30"] != BLACK:
+    if "inf" in colours and colours["inf"] != BLACK:
         wrong.append("%s: the rigid one is not black" % name)
 
 

@@ -59,7 +59,7 @@ while IFS=, read -r layout b; do
 done < <(awk -F, '/^l/ && $1 != "layout" && !seen[$1, $2]++ { print $1 "," $2 }' results/boundary_points.csv)
 
 for figure in 09:l2 12:li1 14:li2; do
-  awk -F, '$6 == "LP" && $8 >= 100 { print $7 "," $8 "," $3 "," $2 }' "results/fig${figure%:*}.csv" | folds "boundary points of Figure ${figure%:*}" "${figure#*:}"
+  awk -F, '$6 == "LP" && $8 >= 100 { print $7 "," $8 "," ($3 == "inf" ? 1e30 : $3) "," $2 }' "results/fig${figure%:*}.csv" | folds "boundary points of Figure ${figure%:*}" "${figure#*:}"
 done
 
 [ "$every" -eq 1 ] || exit 0

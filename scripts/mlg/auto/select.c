@@ -307,8 +307,9 @@ int add_cell(struct text *row, const struct choice *choice, const struct run_dat
     return -1;
   }
   x = point >= data->ending[part].kept ? closing_value(data, part, column->name) : number_at(data, part, point, column->name);
-  if (strcmp(column->name, "k_s") == 0 && af_column(p, "k_s") < 0 && !(x > 0. && x < 1e13))
-    text_add(row, "inf"); /* a compliance of 0 to AUTO's precision */
+  /* rigid: AUTO's number for it, or a compliance of 0 to AUTO's precision */
+  if (strcmp(column->name, "k_s") == 0 && !(x > 0. && x < (af_column(p, "k_s") < 0 ? 1e13 : MLG_RIGID)))
+    text_add(row, "inf");
   else
     text_add(row, column->format, x);
   return 0;

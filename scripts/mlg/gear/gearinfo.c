@@ -18,13 +18,19 @@ static const char *richest(void)
   return "l1";
 }
 
+/* A rigid k_s is "inf", as in every table. */
+static double as_shown(int n, double value)
+{
+  return n == NUMBER_K_S && value >= MLG_RIGID ? INFINITY : value;
+}
+
 static void print_parameters(const struct arguments *a)
 {
   printf("name,value,paper,unit,given,meaning\n");
   for (int n = 0; n < NUMBERS; n++) {
     const struct libmlg_quantity *q = libmlg_parameter_quantity(n);
 
-    printf("%s,%.15g,%.15g,%s,%d,\"%s\"\n", q->name, a->par[n], libmlg_default(n), q->unit,
+    printf("%s,%.15g,%.15g,%s,%d,\"%s\"\n", q->name, as_shown(n, a->par[n]), as_shown(n, libmlg_default(n)), q->unit,
            a->word[n] || (n == NUMBER_M && a->F_z_word), q->meaning);
   }
 }
