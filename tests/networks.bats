@@ -191,6 +191,47 @@ EOF
   mlg widest l2 F_z="$(awk "BEGIN { print $load * 1.0001 }")" | grep -q ',no interval'
 }
 
+@test "what is free is searched for every quantity, begins where a table says, and varies with the tolerance" {
+  # two dampers side by side are one: the same damping, load and tolerance, whatever part of it each has
+  mlg explore l1 zeta load starts=1 > one
+  mlg explore 'k_d|c_d|c_2=1e3' zeta load starts=1 free=c_2 > two
+  for quantity in zeta load; do
+    near "$(awk -F, "\$1 == \"$quantity\" { print \$2 }" two)" "$(awk -F, "\$1 == \"$quantity\" { print \$2 }" one)" 1e-3 $quantity
+  done
+  near "$(cell p tolerance 'k_d|c_d|c_2=1e3' c_d=1886 vary=c_2 sample=0)" "$(cell p tolerance l1 c_d=2886 sample=0)" 1e-6 p
+  [ "$(cell corners tolerance 'k_d|c_d|c_2=1e3' c_d=1886 vary=c_2 sample=0)" -eq 8192 ]
+  # an interval without end, too
+  [ "$(mlg explore 'k_d|((c_d|b)-c_2=2766.3)' ratio starts=1 free=c_2 c_d=1e6 b=264 | awk -F, '$1 == "ratio" { print $2 }')" = inf ]
+  printf '%s\n' c_lo,c_hi,c_2 2754,2754,1 300,inf,2e3 > begin
+  mlg explore 'k_d|c_d|c_2=1e3' zeta starts=1 free=c_2 begin=begin | awk -F, '$1 == "zeta" { exit !($2 > 2.69e-5 && $8 == 3) }'
+}
+
+@test "a file to begin at and an element to search that are not there, or not once, are told" {
+  local words wrong
+  printf 'k_s,b,c_lo\n1e6,2,3\n' > short
+  printf 'k_s,b,c_lo,c_hi\n1e6,x,3,4\n' > letters
+  { echo k_s,b,c_lo,c_hi; yes 1e6,1,2,3 | head -n 39; } > many
+  while IFS=: read -r words wrong; do
+    # shellcheck disable=SC2086 # words
+    run -2 mlg $words
+    [ "$output" = "mlg ${words%% *}: '${words##* }': $wrong" ] || { echo "$output"; false; }
+  done << 'EOF'
+explore li1 begin=missing:missing: No such file or directory
+explore li1 begin=short:short has no column c_hi; expected the columns that explore prints for this device
+explore li1 begin=letters:letters, row 1: 'x': expected a b of at least 0
+explore li1 begin=many:39 designs; 38 are most
+explore li1 begin=many begin=many:given already
+explore l1 free=c_2:a layout has no elements but those of its parameters; give it as a network
+explore k_d|c_d free=c_d:the network has no element NAME=VALUE of this name
+explore k_d|(c_d-c=3-c=4) free=c:the network has more than one element of this name
+explore k_d|(c_d-c_2=3) free=:the network has no element NAME=VALUE of this name
+tolerance l1 vary=c_2:a layout has no elements but those of its parameters; give it as a network
+tolerance k_d|(c_d-c_2=3) vary=c_3:the network has no element NAME=VALUE of this name
+tolerance k_d|(c_d-c_2=3) vary=c_2 vary=c_2:given already
+tolerance k_d|(c_d-c_2=3) best vary=c_2:goes with a design; `mlg explore` searches with free=NAME
+EOF
+}
+
 # rows WHERE...: eight random rows of results/networks.csv as quantity,network,value,k_s,b,c_lo,c_hi
 some_rows() { # QUANTITY
   awk -F, -v OFS=, -v quantity="$1" 'BEGIN { srand(1402) }
@@ -320,7 +361,7 @@ EOF
   run -2 mlg explore li1 zeta k_s=1e6 b=400 c_d=1e4
   [ "$output" = "mlg explore: 'b=400': above b_most = 300, up to which b is searched" ]
   run -2 mlg explore 'k_d|(c_d-c_2=300)' free=c_3
-  [ "$output" = "mlg explore: 'free=c_3': the network has no element c_3=VALUE" ]
+  [ "$output" = "mlg explore: 'free=c_3': the network has no element NAME=VALUE of this name" ]
   run -1 mlg deltamode M=1e6
   [ "$output" = "mlg deltamode: delta does not oscillate: the load takes all of k_delta's stiffness away" ]
   [ "$(mlg explore l1 load starts=1 c_delta=0 c_psi=0 | wc -l)" -eq 2 ] # no load, no row

@@ -164,6 +164,27 @@ const struct device_text *device_of(int layout)
   return device_writable(layout);
 }
 
+struct part *device_element(int layout, const char *name, const char **wrong)
+{
+  struct device_text *const d = device_writable(layout);
+  const size_t length = strlen(name);
+  struct part *found = NULL;
+
+  *wrong = d ? "the network has no element NAME=VALUE of this name" : "a layout has no elements but those of its parameters; give it as a network";
+  for (int i = 0; d && i < d->parts; i++) {
+    struct part *const p = &d->part[i];
+
+    if (p->slot >= 0 || !p->text || strncmp(p->text, name, length) != 0 || p->text[length] != '=')
+      continue;
+    if (found) {
+      *wrong = "the network has more than one element of this name";
+      return NULL;
+    }
+    found = p;
+  }
+  return found;
+}
+
 /* Takes the next number, or that of the same text, for which d is freed. */
 static int enter(struct device_layout *d, char error[], size_t size)
 {

@@ -50,4 +50,8 @@ int device_rational(int order);
 /* The same for a search that changes the values of its elements, while nobody else asks. */
 struct device_text *device_writable(int layout);
 
+/* The element NAME=VALUE of such a network, NULL where there is none of that name or another with it;
+ * `wrong` then is what to say. */
+struct part *device_element(int layout, const char *name, const char **wrong);
+
 #endif

@@ -436,7 +436,7 @@ int libmlg_ratio_slope(int layout, const double par[], const struct libmlg_ratio
 
 /* Parameters that vary together, each by +-p of its value: as many as 2^LIBMLG_MOST_SIDES
  * corners. */
-enum { LIBMLG_MOST_SIDES = 16 };
+enum { LIBMLG_MOST_SIDES = 18 };
 
 struct libmlg_box { int n, parameter[LIBMLG_MOST_SIDES]; };
 

@@ -35,12 +35,42 @@ void libmlg_corner(const double par[], const struct libmlg_box *box, unsigned co
   }
 }
 
+void box_to(const struct box_at *d, const double part[], double par[], double own[BOX_ELEMENTS])
+{
+  memcpy(par, d->par, (size_t)libmlg_parameters() * sizeof *par);
+  for (int i = 0; i < d->box->n; i++) {
+    const double value = libmlg_value(d->par, d->box->parameter[i]);
+
+    libmlg_set(par, d->box->parameter[i], value + part[i] * value);
+  }
+  for (int i = 0; i < d->elements; i++) {
+    own[i] = d->element[i]->value;
+    d->element[i]->value += part[d->box->n + i] * own[i];
+  }
+}
+
+void box_back(const struct box_at *d, const double own[BOX_ELEMENTS])
+{
+  for (int i = 0; i < d->elements; i++)
+    d->element[i]->value = own[i];
+}
+
+void box_corner(const struct box_at *d, unsigned corner, double p, double part[LIBMLG_MOST_SIDES])
+{
+  for (int i = 0; i < box_sides(d); i++)
+    part[i] = corner >> i & 1u ? p : -p;
+}
+
 int box_is_free(const struct box_at *d, unsigned corner, double p)
 {
-  double par[LIBMLG_MOST_PARAMETERS];
+  double par[LIBMLG_MOST_PARAMETERS], part[LIBMLG_MOST_SIDES], own[BOX_ELEMENTS];
+  int is_free;
 
-  libmlg_corner(d->par, d->box, corner, p, par);
-  return libmlg_is_free(d->layout, par, 0., d->V_least, d->V_top) == 1;
+  box_corner(d, corner, p, part);
+  box_to(d, part, par, own);
+  is_free = libmlg_is_free(d->layout, par, 0., d->V_least, d->V_top) == 1;
+  box_back(d, own);
+  return is_free;
 }
 
 double box_begins(const struct box_at *d, unsigned corner, double p)
@@ -94,36 +124,41 @@ int box_first_corners(const struct box_at *d, unsigned corner[2])
   return 0;
 }
 
-int libmlg_tolerance(int layout, const double par[], const struct libmlg_box *box, double V_least, double V_top,
-                     struct libmlg_tolerance *t)
+int box_tolerance(const struct box_at *d, struct libmlg_tolerance *t)
 {
-  const struct box_at d = { layout, par, box, V_least, V_top };
   const double below = 1. - 1e-9;
   unsigned first[2] = { 0, 0 };
 
-  if (!libmlg_find(layout) || box->n < 1 || box->n > LIBMLG_MOST_SIDES || libmlg_is_free(layout, par, 0., V_least, V_top) < 0)
+  if (!libmlg_find(d->layout) || d->box->n < 1 || box_sides(d) > LIBMLG_MOST_SIDES
+      || libmlg_is_free(d->layout, d->par, 0., d->V_least, d->V_top) < 0)
     return LIBMLG_NONE;
   *t = (struct libmlg_tolerance){ .p = 0. };
-  if (!box_is_free(&d, 0, 0.))
+  if (!box_is_free(d, 0, 0.))
     return 0;
   t->p = LIBMLG_MOST_TOLERANCE;
   t->bounded = 0;
-  for (int i = 0, n = box_first_corners(&d, first); i < n; i++)
-    if (!box_is_free(&d, first[i], t->p)) {
+  for (int i = 0, n = box_first_corners(d, first); i < n; i++)
+    if (!box_is_free(d, first[i], t->p)) {
       t->corner = first[i];
-      t->p = box_begins(&d, first[i], t->p);
+      t->p = box_begins(d, first[i], t->p);
       t->bounded = 1;
     }
   /* until a whole round finds none that fails earlier */
   for (int again = 1; again;) {
     again = 0;
-    for (unsigned corner = 0; corner < 1u << box->n; corner++)
+    for (unsigned corner = 0; corner < 1u << box_sides(d); corner++)
       for (int i = 0; i < BOX_PARTS; i++)
-        if (!box_is_free(&d, corner, below * box_part(i) * t->p)) {
-          t->p = box_begins(&d, corner, below * box_part(i) * t->p);
+        if (!box_is_free(d, corner, below * box_part(i) * t->p)) {
+          t->p = box_begins(d, corner, below * box_part(i) * t->p);
           t->corner = corner;
           t->bounded = again = 1;
         }
   }
   return 0;
+}
+
+int libmlg_tolerance(int layout, const double par[], const struct libmlg_box *box, double V_least, double V_top,
+                     struct libmlg_tolerance *t)
+{
+  return box_tolerance(&(struct box_at){ .layout = layout, .par = par, .box = box, .V_least = V_least, .V_top = V_top }, t);
 }

@@ -156,7 +156,7 @@ static void ask(struct search *s, unsigned corner, int part)
  * there is no interval. */
 static int ask_predicted(struct search *s, double b)
 {
-  const struct box_at d = { s->layout, s->par, &s->box, s->V_least, s->V_top };
+  const struct box_at d = { .layout = s->layout, .par = s->par, .box = &s->box, .V_least = s->V_least, .V_top = s->V_top };
   struct libmlg_widest w;
   unsigned first[2];
   int n;
@@ -182,7 +182,7 @@ static int ask_failing(struct search *s, const struct best *best)
   place(s, k_s_of(s, best->u), best->b);
   memcpy(par, s->par, sizeof par);
   par[s->c_d] = best->c_d;
-  const struct box_at d = { s->layout, par, &s->box, s->V_least, s->V_top };
+  const struct box_at d = { .layout = s->layout, .par = par, .box = &s->box, .V_least = s->V_least, .V_top = s->V_top };
 
   for (int part = 0; part < s->parts && s->n == before; part++) {
     unsigned last[NEW_CORNERS]; /* of those that fail earlier than all before them */

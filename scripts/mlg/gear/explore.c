@@ -42,20 +42,37 @@ static int take_quantities(int argc, char *argv[], bool asked[QUANTITIES])
   return n;
 }
 
-/* free=NAME: that element of the network is searched too; its name. */
-static const char *take_free(const char *word)
+/* What stands behind NAME in a word, or NULL: it does not begin so. */
+static const char *behind(const char *word, const char *name)
 {
-  return strncmp(word, "free=", 5) == 0 ? word + 5 : NULL;
+  return strncmp(word, name, strlen(name)) == 0 ? word + strlen(name) : NULL;
 }
 
-static void explore(enum quantity q, struct explorer *e, int starts, const double given[], struct found *found)
+/* free=NAME: that element of the network is searched too. */
+static void take_free(struct explorer *e, int argc, char *argv[], int first)
+{
+  for (int i = first; i < argc; i++) {
+    const char *const name = behind(argv[i], "free="), *wrong;
+
+    if (!name)
+      continue;
+    for (int k = first; k < i; k++)
+      if (strcmp(argv[k], argv[i]) == 0)
+        refuse(argv[0], argv[i], "given already");
+    wrong = explore_free(e, name);
+    if (wrong)
+      refuse(argv[0], argv[i], "%s", wrong);
+  }
+}
+
+static void explore(enum quantity q, struct explorer *e, int starts, struct found *found)
 {
   switch (q) {
-  case ZETA: explore_zeta(e, starts, given, found); break;
+  case ZETA: explore_zeta(e, starts, found); break;
   case WIDTH:
-  case RATIO: explore_interval(e, q == RATIO, starts, given, found); break;
-  case LOAD: explore_load(e, starts, given, found); break;
-  default: explore_tolerance(e, starts, given, found);
+  case RATIO: explore_interval(e, q == RATIO, starts, found); break;
+  case LOAD: explore_load(e, starts, found); break;
+  default: explore_tolerance(e, starts, found);
   }
 }
 
@@ -64,12 +81,13 @@ static int run(int argc, char *argv[])
   enum { B_MOST, STARTS, V_LEAST };
   struct option option[] = {
     [B_MOST] = { "b_most", "N m s^2/rad", 0., 1e9, 300., NULL },
-    [STARTS] = { "starts", "", 1., EXPLORE_STARTS, 12., NULL },
+    [STARTS] = { "starts", "", 1., EXPLORE_STARTS - EXPLORE_GIVEN, 12., NULL },
     [V_LEAST] = { "V_least", "m/s", 0., 1e3, 0.3, NULL },
     { .name = NULL },
   };
   bool asked[QUANTITIES] = { false };
-  double given[EXPLORE_VARIABLES] = { 0. };
+  const char *begin = NULL;
+  double given[EXPLORE_VARIABLES];
   struct explorer e;
   struct arguments a;
 
@@ -77,35 +95,30 @@ static int run(int argc, char *argv[])
   const int first = 2 + take_quantities(argc, argv, asked);
 
   for (int i = first; i < argc; i++)
-    if (!take_free(argv[i]))
+    if (behind(argv[i], "begin=")) {
+      if (begin)
+        refuse(argv[0], argv[i], "given already");
+      begin = argv[i];
+    } else if (!behind(argv[i], "free="))
       take_word(&a, argv[i]);
   end_arguments(&a);
   refuse_given(&a, NUMBER_V, "the search is over all speeds");
-  const bool from = a.word[NUMBER_C_D] != NULL;
-
-  if (!from) {
+  if (!a.word[NUMBER_C_D]) {
     refuse_given(&a, NUMBER_K_S, "all k_s are searched; to begin at a design give its c_d as well");
     refuse_given(&a, NUMBER_B, "all b up to b_most are searched; to begin at a design give its c_d as well");
   }
   if (!(option[V_LEAST].value < a.V_top))
     fail(argv[0], MLG_BAD_INPUT, "V_least = %g m/s is not below V_top = %g m/s", option[V_LEAST].value, a.V_top);
-  explore_begin(&e, a.layout, a.par, option[B_MOST].value, option[V_LEAST].value, a.V_top);
-  for (int i = first; i < argc; i++) {
-    for (int k = first; k < i && take_free(argv[i]); k++)
-      if (strcmp(argv[k], argv[i]) == 0)
-        refuse(argv[0], argv[i], "given already");
-    if (take_free(argv[i]) && explore_free(&e, take_free(argv[i])) != 0)
-      refuse(argv[0], argv[i], "the network has no element %s=VALUE", take_free(argv[i]));
-  }
-  if (e.others > 0) {
-    if (asked[TOLERANCE] && first > 2)
-      refuse(argv[0], "tolerance", "further elements have no tolerance; leave free=NAME out");
-    asked[TOLERANCE] = false;
-  }
   if (a.word[NUMBER_B] && a.par[NUMBER_B] > option[B_MOST].value)
     refuse(argv[0], a.word[NUMBER_B], "above b_most = %g, up to which b is searched", option[B_MOST].value);
-  if (from)
+  explore_begin(&e, a.layout, a.par, option[B_MOST].value, option[V_LEAST].value, a.V_top);
+  take_free(&e, argc, argv, first);
+  if (a.word[NUMBER_C_D]) {
     explore_place(&e, a.par[NUMBER_K_S], a.par[NUMBER_B], a.par[NUMBER_C_D], given);
+    explore_give(&e, given);
+  }
+  if (begin)
+    explore_begin_at(&e, begin);
   printf("# zeta -, width N m s/rad, ratio -, load N, tolerance %%; k_s N m/rad, b N m s^2/rad, c_lo, c_hi N m s/rad\n"
          "quantity,value,k_s,b,c_lo,c_hi,met,starts,asked");
   for (int i = 0; i < e.others; i++)
@@ -113,18 +126,16 @@ static int run(int argc, char *argv[])
   printf("\n");
 
   double damping = -INFINITY;
-  bool has_given = from; /* where the others begin: at the best damped design, if that is asked for */
 
   for (enum quantity q = ZETA; q < QUANTITIES; q++) {
     struct found found;
 
     if (!asked[q] || (q != ZETA && e.others > 0 && asked[ZETA] && !(damping > 0.))) /* no design without shimmy */
       continue;
-    explore(q, &e, (int)option[STARTS].value, has_given ? given : NULL, &found);
+    explore(q, &e, (int)option[STARTS].value, &found);
     print_row(q, &e, &found, q == TOLERANCE ? 1e-2 : 1.);
-    if (q == ZETA) {
-      memcpy(given, found.x, sizeof given);
-      has_given = true;
+    if (q == ZETA) { /* where the others begin as well */
+      explore_give(&e, found.x);
       damping = found.value;
     }
   }
@@ -133,7 +144,7 @@ static int run(int argc, char *argv[])
 
 const struct command command_explore = {
   .name = "explore",
-  .usage = "LAYOUT [QUANTITY ...] [NAME=VALUE ...] [free=NAME] [b_most=300] [starts=12]",
+  .usage = "LAYOUT [QUANTITY ...] [NAME=VALUE ...] [free=NAME] [begin=FILE] [b_most=300] [starts=12]",
   .summary = "the best designs of a layout or network, by repeated starts",
   .details =
     "QUANTITY: zeta, width, ratio, load, tolerance; all of them without.  k_s from 1e4 (from k_d,\n"
@@ -141,16 +152,17 @@ const struct command command_explore = {
     "1e7 N m s/rad, searched by an evolution strategy from random places (models/libmlg/cma.h); the\n"
     "intervals exactly over k_s, by golden section over b.  free=c_2 searches the element c_2=300\n"
     "of a network as well, springs, dampers and inerters in the same ranges; then intervals by the\n"
-    "strategy, too, none where no design is damped, and no tolerance.  With c_d, and k_s and b, the\n"
-    "search begins at that design, too.\n"
+    "strategy, too, and nothing but zeta where no design is damped.  A tolerance is that of such an\n"
+    "element, too.  With c_d, and k_s and b, the search begins at that design as well, with begin=FILE at\n"
+    "each row of a table with the columns that this command prints.\n"
     "CSV, a row for each, none where there is no interval:\n"
     "  zeta          the largest least damping ratio over V_least=0.3 < V < V_top\n"
     "  width, ratio  of the widest zero-shimmy interval c_lo to c_hi: c_hi - c_lo, c_hi/c_lo\n"
     "  load          the largest static load F_z, N, with a design without shimmy\n"
     "  tolerance     the largest p of `mlg help tolerance`, per cent, all corners tested\n"
     "  k_s, b, c_lo, c_hi  the design; of zeta, load and tolerance c_lo = c_hi = c_d\n"
-    "  met, starts   how many of the starts came within 1 % of the best, of a load within 0.01 %;\n"
-    "                of an interval, starts are stretches of b that overlap\n"
+    "  met, starts   how many of the starts, random or given, came within 1 % of the best, of a load\n"
+    "                within 0.1 %; of an interval, starts are stretches of b that overlap\n"
     "  asked         how many designs were looked at; of width and ratio how many b, each with all k_s\n"
     "  c_2, ...      the values of the elements that are free\n",
   .run = run,

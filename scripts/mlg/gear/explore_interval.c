@@ -175,21 +175,22 @@ static double size_or_ratio(const double x[], void *explorer)
   return libmlg_least_ratio(e->layout, e->par, e->V_least, e->V_top, &least) == 0 ? fmin(least.zeta, 0.) : -INFINITY;
 }
 
-static struct widest over_others(struct explorer *e, int starts, const double given[], double result[], double at[], int *asked)
+static struct widest over_others(struct explorer *e, int starts, double result[], double at[], int *asked)
 {
   const int n = explore_variables(e) - 1;
   struct widest best = { .e = e, .of_ratio = e->of_ratio, .size = -INFINITY };
   struct cma_random random = { 7 };
 
-  if (given)
-    explore_set_all(e, given);
-  for (int start = 0; start < starts; start++) {
+  for (int start = 0; start < e->given.n + starts; start++) {
+    const double *const given = start < e->given.n ? e->given.x[start] : NULL;
     double x[EXPLORE_VARIABLES] = { 0. }, place[EXPLORE_VARIABLES] = { 0. };
 
+    if (given)
+      explore_set_all(e, given); /* its c_d */
     result[start] = -INFINITY;
-    for (int k = 0; k < (start == 0 && given ? 1 : 12); k++) {
+    for (int k = 0; k < (given ? 1 : 12); k++) {
       for (int i = 0; i < n; i++)
-        place[i] = start == 0 && given ? given[i] : cma_uniform(&random);
+        place[i] = given ? given[i] : cma_uniform(&random);
       const double value = size_or_ratio(place, e);
 
       ++*asked;
@@ -199,7 +200,7 @@ static struct widest over_others(struct explorer *e, int starts, const double gi
       }
     }
     for (int k = 0; k < 4 && result[start] < INFINITY; k++)
-      *asked += explore_climb(size_or_ratio, e, n, x, (double[]){ 0.15, 0.02, 1e-3, 1e-5 }[k], &random,
+      *asked += explore_climb(size_or_ratio, e, n, x, given && k == 0 ? 0.05 : (double[]){ 0.15, 0.02, 1e-3, 1e-5 }[k], &random,
                               n * (k == 0 ? 150 : 60), &result[start]);
     if (result[start] > best.size && result[start] > 0.) {
       explore_set(e, x);
@@ -211,24 +212,24 @@ static struct widest over_others(struct explorer *e, int starts, const double gi
   return best;
 }
 
-void explore_interval(struct explorer *e, int of_ratio, int starts, const double given[], struct found *found)
+void explore_interval(struct explorer *e, int of_ratio, int starts, struct found *found)
 {
   const struct widest none = { .e = e, .of_ratio = of_ratio, .size = -INFINITY };
   struct widest best = none;
   double result[EXPLORE_STARTS];
 
-  *found = (struct found){ .starts = e->has_b || e->others > 0 ? starts : 1 };
+  *found = (struct found){ .starts = e->others > 0 ? e->given.n + starts : e->has_b ? starts : 1 };
   e->of_ratio = of_ratio;
   if (e->others > 0) {
-    best = over_others(e, starts, given, result, found->x, &found->asked);
+    best = over_others(e, starts, result, found->x, &found->asked);
   } else if (e->has_b) {
     best = over_b(e, &none, starts, result, &found->asked);
   } else {
     result[0] = widest_at(&best, 0.);
     found->asked++;
   }
-  if (given && e->others == 0)
-    beside(&best, given);
+  for (int i = 0; i < e->given.n && e->others == 0; i++)
+    beside(&best, e->given.x[i]);
   if (e->has_b && e->others == 0 && best.size > -INFINITY)
     refine_b(&best, &found->asked);
   if (e->others > 0)

@@ -32,7 +32,7 @@ static int place_bears(struct explorer *e, double F_z)
   put_load(e, F_z);
   if (libmlg_intervals(e->layout, e->par, 0., 0., e->V_top, &i, 1) < 1)
     return 0;
-  e->par[NUMBER_C_D] = isfinite(i.hi.c_d) ? (i.lo.c_d > 0. ? sqrt(i.lo.c_d * i.hi.c_d) : 0.5 * i.hi.c_d) : 2. * i.lo.c_d;
+  e->par[NUMBER_C_D] = explore_middle(i.lo.c_d, i.hi.c_d);
   return 1;
 }
 
@@ -90,17 +90,17 @@ static double place_load(const double x[], void *explorer)
 }
 
 /* A load that some design bears: that of the gear, or the first one below it; 0: none. */
-static double some_load(struct explorer *e, int starts, const double given[])
+static double some_load(struct explorer *e, int starts)
 {
   const int n = explore_variables(e);
   struct cma_random random = { 5 };
 
   for (e->load = fmin(fmax(libmlg_value(e->par, LIBMLG_F_Z), 2. * least_load), most_load); e->load > least_load; e->load *= 0.8)
-    for (int start = 0; start < (starts + 1) / 2; start++) {
+    for (int start = 0; start < e->given.n + (starts + 1) / 2; start++) {
       double x[EXPLORE_VARIABLES], value;
 
       for (int i = 0; i < n; i++)
-        x[i] = start == 0 && given ? given[i] : cma_uniform(&random);
+        x[i] = start < e->given.n ? e->given.x[start][i] : cma_uniform(&random);
       if (cma_largest(design_load, e, n, x, 0.15, &random, 250 * n, 0., &value) < 0)
         fail("explore", MLG_FAILED, "LAPACK failed");
       if (value > 0.)
@@ -109,15 +109,15 @@ static double some_load(struct explorer *e, int starts, const double given[])
   return 0.;
 }
 
-void explore_load(struct explorer *e, int starts, const double given[], struct found *found)
+void explore_load(struct explorer *e, int starts, struct found *found)
 {
   static const struct goal goal = { design_load, place_load, 1e-3 };
   const double M = e->par[NUMBER_M];
   double result[EXPLORE_STARTS];
 
-  *found = (struct found){ .starts = starts };
-  e->load_here = e->load = some_load(e, starts, given);
+  *found = (struct found){ .starts = e->given.n + starts };
+  e->load_here = e->load = some_load(e, starts);
   if (e->load > 0.)
-    explore_starts(e, &goal, starts, given, result, found);
+    explore_starts(e, &goal, starts, result, found);
   e->par[NUMBER_M] = M;
 }

@@ -15,7 +15,10 @@
 /* The design of par[] as its corners are asked. */
 static struct box_at here(const struct explorer *e)
 {
-  return (struct box_at){ e->layout, e->par, &e->corners.box, 0., e->V_top };
+  struct box_at d = { .layout = e->layout, .par = e->par, .box = &e->corners.box, .V_top = e->V_top, .elements = e->others };
+
+  memcpy(d.element, e->other, sizeof d.element);
+  return d;
 }
 
 /* The largest p of the design of par[] at the corners that are asked; the one that fails first is
@@ -142,7 +145,7 @@ static int ask_more(struct explorer *e, const double x[])
   p = tolerance(x, e) * (1. - 1e-7);
   unsigned at = e->corners.corner[0];
 
-  for (int side = 0, since = 0; since < e->corners.box.n; side = (side + 1) % e->corners.box.n, since++)
+  for (int side = 0, since = 0; since < box_sides(&d); side = (side + 1) % box_sides(&d), since++)
     if (!box_is_free(&d, at ^ 1u << side, p)) {
       at ^= 1u << side;
       p = box_begins(&d, at, p) * (1. - 1e-7);
@@ -173,7 +176,9 @@ static void settle(struct explorer *e, struct found *found)
     if (with_its_corners(found->x, e) < value * (1. - 1e-6))
       continue;
     explore_set_all(e, found->x);
-    if (libmlg_tolerance(e->layout, e->par, &e->corners.box, 0., e->V_top, &all) != 0)
+    const struct box_at d = here(e);
+
+    if (box_tolerance(&d, &all) != 0)
       fail("explore", MLG_FAILED, "no tolerance at k_s = %g, b = %g, c_d = %g", e->par[NUMBER_K_S], e->par[NUMBER_B], e->par[NUMBER_C_D]);
     found->value = all.p;
     if (all.p >= value * (1. - 1e-6) || !ask(e, all.corner))
@@ -205,23 +210,26 @@ static void tolerant_start(struct explorer *e, const double given[], struct cma_
   }
 }
 
-void explore_tolerance(struct explorer *e, int starts, const double given[], struct found *found)
+void explore_tolerance(struct explorer *e, int starts, struct found *found)
 {
   double result[EXPLORE_STARTS], place[EXPLORE_STARTS][EXPLORE_VARIABLES] = { { 0. } };
   struct cma_random random = { 13 };
+  const int n = e->given.n + starts;
+  int top = 0;
 
-  *found = (struct found){ .starts = starts };
+  *found = (struct found){ .starts = n };
   e->corners.n = 0;
   explore_set_all(e, (double[EXPLORE_VARIABLES]){ 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5 });
   libmlg_box_of(e->layout, e->par, &e->corners.box);
-  for (int start = 0; start < starts; start++) {
-    tolerant_start(e, start == 0 ? given : NULL, &random, place[start], &found->asked);
+  for (int start = 0; start < n; start++) {
+    tolerant_start(e, start < e->given.n ? e->given.x[start] : NULL, &random, place[start], &found->asked);
     if (tolerance(place[start], e) > 0.)
       climb_exactly(e, place[start], 30, &random, &found->asked);
   }
-  for (int start = 0; start < starts; start++) { /* by the corners of all */
+  for (int start = 0; start < n; start++) { /* by the corners of all */
     result[start] = tolerance(place[start], e);
     if (start == 0 || result[start] > found->value) {
+      top = start;
       found->value = result[start];
       memcpy(found->x, place[start], sizeof place[start]);
     }
@@ -229,9 +237,9 @@ void explore_tolerance(struct explorer *e, int starts, const double given[], str
   if (!(found->value > 0.))
     return;
   settle(e, found);
-  for (int start = 0; start < starts; start++)
-    result[start] = tolerance(place[start], e);
-  found->met = explore_met(result, starts, found->value, 1e-2);
+  for (int start = 0; start < n; start++)
+    result[start] = start == top ? found->value : tolerance(place[start], e);
+  found->met = explore_met(result, n, found->value, 1e-2);
   explore_set_all(e, found->x);
   explore_take(e, found);
 }

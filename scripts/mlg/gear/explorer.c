@@ -25,19 +25,17 @@ void explore_begin(struct explorer *e, int layout, const double par[], double b_
   e->has_b = libmlg_uses(layout, NUMBER_B) == 1;
 }
 
-int explore_free(struct explorer *e, const char *name)
+const char *explore_free(struct explorer *e, const char *name)
 {
-  struct device_text *const d = device_writable(e->layout);
+  const char *wrong;
+  struct part *const p = device_element(e->layout, name, &wrong);
 
-  for (int i = 0; d && i < d->parts && e->others < EXPLORE_OTHERS; i++) {
-    struct part *const p = &d->part[i];
-
-    if (p->slot < 0 && p->text && strncmp(p->text, name, strlen(name)) == 0 && p->text[strlen(name)] == '=') {
-      e->other[e->others++] = p;
-      return 0;
-    }
-  }
-  return LIBMLG_NONE;
+  if (!p)
+    return wrong;
+  if (e->others == EXPLORE_OTHERS)
+    return "too many elements are free";
+  e->other[e->others++] = p;
+  return NULL;
 }
 
 int explore_variables(const struct explorer *e)
@@ -59,6 +57,13 @@ double explore_spring(const struct explorer *e, double x)
   return e->par[NUMBER_K_PSI] * (1. / (stiff + x * (soft - stiff)) - 1.);
 }
 
+static double place_of_spring(const struct explorer *e, double k)
+{
+  const double soft = softness(e, e->k_least), stiff = softness(e, 1e9);
+
+  return fmax(0., fmin(1., (softness(e, k) - stiff) / (soft - stiff)));
+}
+
 static double damper_at(double x)
 {
   return 10. * pow(1e6, x);
@@ -69,16 +74,36 @@ static double place_of_damper(double c_d)
   return fmax(0., fmin(1., log10(c_d / 10.) / 6.));
 }
 
+static double place_of_inerter(const struct explorer *e, double b)
+{
+  return e->b_most > 0. ? fmin(1., b / e->b_most) : 0.;
+}
+
 void explore_place(const struct explorer *e, double k_s, double b, double c_d, double x[])
 {
-  const double soft = softness(e, e->k_least), stiff = softness(e, 1e9);
-  int n = 0;
-
   if (e->has_k_s)
-    x[n++] = fmax(0., fmin(1., (softness(e, k_s) - stiff) / (soft - stiff)));
+    *x++ = place_of_spring(e, k_s);
   if (e->has_b)
-    x[n++] = fmin(1., b / e->b_most);
-  x[n + e->others] = place_of_damper(c_d);
+    *x++ = place_of_inerter(e, b);
+  for (int i = 0; i < e->others; i++) {
+    const struct part *const p = e->other[i];
+
+    *x++ = p->kind == SPRING ? place_of_spring(e, p->value) : p->kind == DAMPER ? place_of_damper(p->value) : place_of_inerter(e, p->value);
+  }
+  *x = place_of_damper(c_d);
+}
+
+double explore_middle(double lo, double hi)
+{
+  if (isfinite(hi))
+    return lo > 0. ? sqrt(lo * hi) : 0.5 * hi;
+  return lo > 0. ? 2. * lo : 1e3;
+}
+
+void explore_give(struct explorer *e, const double x[])
+{
+  if (e->given.n < EXPLORE_GIVEN)
+    memcpy(e->given.x[e->given.n++], x, (size_t)explore_variables(e) * sizeof *x);
 }
 
 void explore_set(struct explorer *e, const double x[])
@@ -195,14 +220,35 @@ static double along(struct section *s, int variable, double x[2])
   return largest;
 }
 
+/* With further elements: the strategy again, at the best c_d of each place. */
+static void climb_exactly(struct explorer *e, const struct goal *goal, double x[], double *value, int *asked)
+{
+  const int n = explore_variables(e) - 1;
+  struct cma_random random = { 17 };
+  double at[EXPLORE_VARIABLES], best = -INFINITY;
+
+  memcpy(at, x, sizeof at);
+  for (int k = 0; k < 2; k++)
+    *asked += explore_climb(goal->exact, e, n, at, k ? 1e-4 : 5e-3, &random, 40 * n, &best);
+  if (best > *value) {
+    *value = goal->exact(at, e);
+    memcpy(x, at, (size_t)n * sizeof *at);
+    x[n] = place_of_damper(e->par[NUMBER_C_D]);
+  }
+}
+
 /* A place and its value from there on, in a wide window as often as that moves on, then in a narrow
- * one; for k_s and b alone. */
+ * one; so for k_s and b alone. */
 static void refine(struct explorer *e, const struct goal *goal, double x[], double *value, int *asked)
 {
   const int n = explore_variables(e) - 1;
 
-  if (!goal->exact || n < 1 || n > 2)
+  if (!goal->exact || n < 1)
     return;
+  if (n > 2) {
+    climb_exactly(e, goal, x, value, asked);
+    return;
+  }
   for (int wide = 8; wide >= 0; wide--) {
     struct section s = { e, goal, wide ? 0.06 : 0.003, -INFINITY, { x[0], x[1] }, 0 };
 
@@ -248,26 +294,26 @@ static int largest(const double result[], int n, int not)
   return best;
 }
 
-void explore_starts(struct explorer *e, const struct goal *goal, int starts, const double given[], double result[],
-                    struct found *found)
+void explore_starts(struct explorer *e, const struct goal *goal, int starts, double result[], struct found *found)
 {
   double place[EXPLORE_STARTS][EXPLORE_VARIABLES] = { { 0. } };
   struct cma_random random = { 1 };
+  const int n = e->given.n + starts;
 
-  *found = (struct found){ .starts = starts };
-  for (int start = 0; start < starts; start++)
-    result[start] = one_start(e, goal, start == 0 ? given : NULL, &random, place[start], &found->asked);
+  *found = (struct found){ .starts = n };
+  for (int i = 0; i < n; i++)
+    result[i] = one_start(e, goal, i < e->given.n ? e->given.x[i] : NULL, &random, place[i], &found->asked);
   /* the best two on their own ways */
-  const int best = largest(result, starts, -1), second = largest(result, starts, best);
+  const int best = largest(result, n, -1), second = largest(result, n, best);
 
   refine(e, goal, place[best], &result[best], &found->asked);
-  if (starts > 1)
+  if (n > 1)
     refine(e, goal, place[second], &result[second], &found->asked);
-  const int top = largest(result, starts, -1);
+  const int top = largest(result, n, -1);
 
   found->value = result[top];
   memcpy(found->x, place[top], sizeof place[top]);
-  found->met = explore_met(result, starts, found->value, goal->same);
+  found->met = explore_met(result, n, found->value, goal->same);
   take_design(e, goal, found);
 }
 
@@ -282,13 +328,13 @@ double explore_ratio(const double x[], void *explorer)
   return libmlg_least_ratio(e->layout, e->par, e->V_least, e->V_top, &least) == 0 ? least.zeta : -INFINITY;
 }
 
-void explore_zeta(struct explorer *e, int starts, const double given[], struct found *found)
+void explore_zeta(struct explorer *e, int starts, struct found *found)
 {
   static const struct goal goal = { explore_ratio, NULL, 1e-2 };
   double result[EXPLORE_STARTS + 1];
   struct libmlg_ratio best;
 
-  explore_starts(e, &goal, starts, given, result, found);
+  explore_starts(e, &goal, starts, result, found);
   if (e->others > 0)
     return;
   /* and by a grid that is refined, exactly over c_d: a start more */

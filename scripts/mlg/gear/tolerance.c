@@ -4,19 +4,24 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "box.h"
 #include "command.h"
 #include "designs.h"
+#include "device_text.h"
 #include "names.h"
 
 static const char name[] = "tolerance";
 
 enum { B_LEAST, B_MOST, V_LEAST, SAMPLE, MOST_NODES = 400 };
 
-/* "F_z+ k_t- ...": the parameters at their upper and lower ends. */
-static void print_corner(const struct libmlg_box *box, unsigned corner)
+/* "F_z+ k_t- ...": the parameters and elements at their upper and lower ends. */
+static void print_corner(const struct box_at *d, unsigned corner)
 {
-  for (int i = 0; i < box->n; i++)
-    printf("%s%s%c", i ? " " : "", quantity_name(box->parameter[i]), corner >> i & 1u ? '+' : '-');
+  for (int i = 0; i < box_sides(d); i++) {
+    const char *const text = i < d->box->n ? quantity_name(d->box->parameter[i]) : d->element[i - d->box->n]->text;
+
+    printf("%s%.*s%c", i ? " " : "", (int)strcspn(text, "="), text, corner >> i & 1u ? '+' : '-');
+  }
 }
 
 /* Element i = 1, 2, ... of the van der Corput sequence of a prime base, in 0 to 1. */
@@ -30,45 +35,63 @@ static double halton(int i, int base)
 }
 
 /* How many of the first n points of a Halton sequence in the box of size p shimmy. */
-static int failing(const struct arguments *a, const struct libmlg_box *box, double p, int n)
+static int failing(const struct box_at *d, double p, int n)
 {
-  static const int prime[LIBMLG_MOST_SIDES] = { 2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53 };
+  static const int prime[LIBMLG_MOST_SIDES] = { 2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61 };
   int count = 0;
 
   for (int i = 1; i <= n; i++) {
-    double par[LIBMLG_MOST_PARAMETERS];
+    double par[LIBMLG_MOST_PARAMETERS], part[LIBMLG_MOST_SIDES], own[BOX_ELEMENTS];
 
-    memcpy(par, a->par, sizeof par);
-    for (int k = 0; k < box->n; k++)
-      libmlg_set(par, box->parameter[k], libmlg_value(a->par, box->parameter[k]) * (1. + p * (2. * halton(i, prime[k]) - 1.)));
-    count += libmlg_is_free(a->layout, par, 0., 0., a->V_top) != 1;
+    for (int k = 0; k < box_sides(d); k++)
+      part[k] = p * (2. * halton(i, prime[k]) - 1.);
+    box_to(d, part, par, own);
+    count += libmlg_is_free(d->layout, par, 0., d->V_least, d->V_top) != 1;
+    box_back(d, own);
   }
   return count;
 }
 
-/* The row of the design in the arguments. */
-static void print_design(struct arguments *a, double V_least, int sample)
+/* vary=NAME: that element NAME=VALUE of the network varies as well. */
+static void take_element(struct box_at *d, const char *word)
+{
+  const char *wrong = "too many elements vary";
+  struct part *const element = d->elements < BOX_ELEMENTS ? device_element(d->layout, strchr(word, '=') + 1, &wrong) : NULL;
+
+  for (int i = 0; i < d->elements; i++)
+    if (d->element[i] == element)
+      refuse(name, word, "given already");
+  if (!element)
+    refuse(name, word, "%s", wrong);
+  d->element[d->elements++] = element;
+}
+
+/* The row of the design d in the arguments. */
+static void print_design(const struct arguments *a, struct box_at d, double V_least, int sample)
 {
   struct libmlg_box box;
   struct libmlg_tolerance t;
   struct libmlg_mode mode;
-  double beyond[LIBMLG_MOST_PARAMETERS];
+  double part[LIBMLG_MOST_SIDES], beyond[LIBMLG_MOST_PARAMETERS], own[BOX_ELEMENTS];
 
   libmlg_box_of(a->layout, a->par, &box);
-  checked(name, libmlg_tolerance(a->layout, a->par, &box, 0., a->V_top, &t));
+  d.box = &box;
+  checked(name, box_tolerance(&d, &t));
   printf("# k_s N m/rad, b N m s^2/rad, c_d N m s/rad; p %%; V m/s\nk_s,b,c_d,p,V,shimmy,corner,corners,sample,failing\n");
   printf("%.10g,%.10g,%.10g,%.8g,", shown_k_s(a->par[NUMBER_K_S]), a->par[NUMBER_B], a->par[NUMBER_C_D], 100. * t.p);
   if (t.p > 0. && !t.bounded)
     printf(",,,");
   else { /* what shimmies a little beyond, or at the design itself */
-    libmlg_corner(a->par, &box, t.corner, t.p > 0. ? t.p * (1. + 1e-4) : 0., beyond);
+    box_corner(&d, t.corner, t.p > 0. ? t.p * (1. + 1e-4) : 0., part);
+    box_to(&d, part, beyond, own);
     least_mode(a, beyond, V_least, &mode);
+    box_back(&d, own);
     printf("%.6g,%s,", mode.V, shimmy_name(beyond, mode.delta_over_psi));
     if (t.p > 0.)
-      print_corner(&box, t.corner);
+      print_corner(&d, t.corner);
     printf(",");
   }
-  printf("%u,%d,%d\n", 1u << box.n, sample, failing(a, &box, t.p * (1. - 1e-9), sample));
+  printf("%u,%d,%d\n", 1u << box_sides(&d), sample, failing(&d, t.p * (1. - 1e-9), sample));
 }
 
 static void take_best(struct arguments *a, double b_least, double b_most)
@@ -156,9 +179,17 @@ static int run(int argc, char *argv[])
   if (argc > 2 && strcmp(argv[2], "map") == 0)
     return map(argc, argv);
   begin_arguments(&a, argc, argv, option);
+  struct box_at d = { .layout = a.layout, .par = a.par };
+
   for (int i = 2 + best; i < argc; i++)
-    take_word(&a, argv[i]);
+    if (strncmp(argv[i], "vary=", 5) != 0)
+      take_word(&a, argv[i]);
+    else if (best)
+      refuse(name, argv[i], "goes with a design; `mlg explore` searches with free=NAME");
+    else
+      take_element(&d, argv[i]);
   end_arguments(&a);
+  d.V_top = a.V_top;
   check_speeds(&a, option[V_LEAST].value);
   for (int k = B_LEAST; k <= B_MOST && !best; k++)
     if (option[k].word)
@@ -178,13 +209,13 @@ static int run(int argc, char *argv[])
               option[B_MOST].word ? option[B_MOST].value : a.par[NUMBER_B]);
   } else if (!take_interval(&a, option[V_LEAST].value, &interval) && !a.word[NUMBER_C_D])
     fail(name, MLG_FAILED, "there is no zero-shimmy interval in whose middle c_d could be; give c_d");
-  print_design(&a, option[V_LEAST].value, (int)option[SAMPLE].value);
+  print_design(&a, d, option[V_LEAST].value, (int)option[SAMPLE].value);
   return output_status(name);
 }
 
 const struct command command_tolerance = {
   .name = name,
-  .usage = "LAYOUT [best | map] [NAME=VALUE ...] [b_least=0 b_most=VALUE] [sample=10000]",
+  .usage = "LAYOUT [best | map] [NAME=VALUE ...] [b_least=0 b_most=VALUE] [vary=NAME] [sample=10000]",
   .summary = "the tolerance of all parameters within which a design is free of shimmy",
   .details =
     "p: F_z, k_t, e, l, h, k_lambda, k_alpha, c_delta, c_psi, k_delta, k_psi, c_d and, where the\n"
@@ -204,6 +235,7 @@ const struct command command_tolerance = {
     "  corner, corners   the first that shimmies, + and - of each parameter; how many there are\n"
     "  sample, failing   points of a Halton sequence in the box of size p, and how many of them\n"
     "                    shimmy: corners are no proof for what lies between them\n"
+    "With a network vary=c_2 says that its element c_2=VALUE lies within +-p % as well.\n"
     "A map has p at each node from all corners, at p alone and not at parts of it.\n",
   .run = run,
 };
