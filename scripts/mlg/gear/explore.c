@@ -76,6 +76,15 @@ static void explore(enum quantity q, struct explorer *e, int starts, struct foun
   }
 }
 
+/* What was found is where the next searches begin as well. */
+static void give(struct explorer *e, const struct found *found)
+{
+  double x[EXPLORE_VARIABLES];
+
+  explore_place(e, found->k_s, found->b, explore_middle(found->lo, found->hi), x);
+  explore_give(e, x);
+}
+
 static int run(int argc, char *argv[])
 {
   enum { B_MOST, STARTS, V_LEAST };
@@ -125,19 +134,22 @@ static int run(int argc, char *argv[])
     printf(",%.*s", (int)strcspn(e.other[i]->text, "="), e.other[i]->text);
   printf("\n");
 
+  /* an exact interval is where damping is looked for as well, and with free elements the other way round */
+  static const enum quantity order[2][QUANTITIES] = { { WIDTH, RATIO, ZETA, LOAD, TOLERANCE }, { ZETA, WIDTH, RATIO, LOAD, TOLERANCE } };
   double damping = -INFINITY;
 
-  for (enum quantity q = ZETA; q < QUANTITIES; q++) {
+  for (int i = 0; i < QUANTITIES; i++) {
+    const enum quantity q = order[e.others > 0][i];
     struct found found;
 
     if (!asked[q] || (q != ZETA && e.others > 0 && asked[ZETA] && !(damping > 0.))) /* no design without shimmy */
       continue;
     explore(q, &e, (int)option[STARTS].value, &found);
     print_row(q, &e, &found, q == TOLERANCE ? 1e-2 : 1.);
-    if (q == ZETA) { /* where the others begin as well */
-      explore_give(&e, found.x);
+    if (q == ZETA || (e.others == 0 && found.value > 0.)) /* where the others begin as well */
+      give(&e, &found);
+    if (q == ZETA)
       damping = found.value;
-    }
   }
   return output_status(argv[0]);
 }

@@ -10,7 +10,8 @@
 
 /* --- over k_s, and what is left of it by cma.h ---------------------------------------------------- */
 
-struct widest { struct explorer *e; int of_ratio; double b; struct libmlg_interval interval; double k_s, size; };
+/* v: of b = b_most v^2, so that small inertances, where peaks are narrow, have their share. */
+struct widest { struct explorer *e; int of_ratio; double v; struct libmlg_interval interval; double k_s, size; };
 
 /* At the k_s of par[]. */
 static void take_interval(struct widest *w)
@@ -42,15 +43,20 @@ static double at_k_s(const double x[], void *context)
   return here.size;
 }
 
-static double widest_at(struct widest *w, double b)
+static double b_at(const struct explorer *e, double v)
 {
-  const struct widest none = { .e = w->e, .of_ratio = w->of_ratio, .b = b, .size = -INFINITY };
+  return e->has_b ? e->b_most * v * v : 0.;
+}
+
+static double widest_at(struct widest *w, double v)
+{
+  const struct widest none = { .e = w->e, .of_ratio = w->of_ratio, .v = v, .size = -INFINITY };
   struct explorer *const e = w->e;
   struct libmlg_widest best;
   int status;
 
   *w = none;
-  e->par[NUMBER_B] = e->has_b ? b : 0.;
+  e->par[NUMBER_B] = b_at(e, v);
   e->par[NUMBER_K_S] = MLG_RIGID;
   status = (w->of_ratio ? libmlg_largest_ratio : libmlg_widest)(e->layout, e->par, 0., 0., e->V_top, &best);
   if (status != 0 || best.limit == LIBMLG_NO_INTERVAL)
@@ -71,7 +77,7 @@ static double widest_at(struct widest *w, double b)
   return w->size;
 }
 
-/* Golden section over b, to this part of its range. */
+/* Golden section over v, to this part of its range. */
 static struct widest between(struct widest w, double left, double right, double part_left, int *asked)
 {
   const double part = 0.6180339887498949;
@@ -79,17 +85,17 @@ static struct widest between(struct widest w, double left, double right, double 
 
   widest_at(&a, right - part * (right - left));
   widest_at(&b, left + part * (right - left));
-  for (*asked += 2; right - left > part_left * w.e->b_most; ++*asked) {
+  for (*asked += 2; right - left > part_left; ++*asked) {
     const struct widest *const better = a.size >= b.size ? &a : &b;
 
     if (better->size > best.size)
       best = *better;
     if (a.size >= b.size) {
-      right = b.b;
+      right = b.v;
       b = a;
       widest_at(&a, right - part * (right - left));
     } else {
-      left = a.b;
+      left = a.v;
       a = b;
       widest_at(&b, left + part * (right - left));
     }
@@ -105,7 +111,7 @@ static double at_place(const double x[], void *context)
 
   here.size = -INFINITY;
   explore_set(w->e, x);
-  here.b = w->e->par[NUMBER_B];
+  here.v = sqrt(w->e->par[NUMBER_B] / w->e->b_most);
   take_interval(&here);
   if (here.size > w->size)
     *w = here;
@@ -126,14 +132,14 @@ static void beside(struct widest *best, const double given[])
 
 /* --- over b --------------------------------------------------------------------------------------- */
 
-/* The best of so many stretches of b, each with those beside it, to result[]. */
-static struct widest over_b(struct explorer *e, const struct widest *none, int stretches, double result[], int *asked)
+/* The best of so many stretches of v, each with those beside it, to result[]. */
+static struct widest over_b(const struct widest *none, int stretches, double result[], int *asked)
 {
-  const double step = e->b_most / stretches;
+  const double step = 1. / stretches;
   struct widest best = *none;
 
   for (int i = 0; i < stretches; i++) {
-    const struct widest here = between(*none, fmax(0., (i - 1) * step), fmin(e->b_most, (i + 2) * step), 1e-3, asked);
+    const struct widest here = between(*none, fmax(0., (i - 1) * step), fmin(1., (i + 2) * step), 1e-3, asked);
 
     result[i] = here.size;
     if (here.size > best.size)
@@ -145,13 +151,12 @@ static struct widest over_b(struct explorer *e, const struct widest *none, int s
 /* Closely about the best so far, and at both ends of the range. */
 static void refine_b(struct widest *best, int *asked)
 {
-  const double most = best->e->b_most;
-  struct widest here = between(*best, fmax(0., best->b - 0.01 * most), fmin(most, best->b + 0.01 * most), 1e-8, asked);
+  struct widest here = between(*best, fmax(0., best->v - 0.01), fmin(1., best->v + 0.01), 5e-9, asked);
 
   if (here.size > best->size)
     *best = here;
   for (int end = 0; end < 2; end++) {
-    widest_at(&here, end ? most : 0.);
+    widest_at(&here, end);
     if (here.size > best->size)
       *best = here;
   }
@@ -205,7 +210,7 @@ static struct widest over_others(struct explorer *e, int starts, double result[]
     if (result[start] > best.size && result[start] > 0.) {
       explore_set(e, x);
       take_interval(&best);
-      best.b = e->par[NUMBER_B];
+      best.v = sqrt(e->par[NUMBER_B] / e->b_most);
       memcpy(at, x, sizeof x);
     }
   }
@@ -223,7 +228,7 @@ void explore_interval(struct explorer *e, int of_ratio, int starts, struct found
   if (e->others > 0) {
     best = over_others(e, starts, result, found->x, &found->asked);
   } else if (e->has_b) {
-    best = over_b(e, &none, starts, result, &found->asked);
+    best = over_b(&none, starts, result, &found->asked);
   } else {
     result[0] = widest_at(&best, 0.);
     found->asked++;
@@ -237,7 +242,7 @@ void explore_interval(struct explorer *e, int of_ratio, int starts, struct found
   explore_take(e, found);
   found->value = best.size;
   found->k_s = best.k_s;
-  found->b = best.b;
+  found->b = b_at(e, best.v);
   found->lo = best.interval.lo.c_d;
   found->hi = best.interval.hi.c_d;
   found->met = explore_met(result, found->starts, best.size, 1e-2);

@@ -1,10 +1,9 @@
 /* explore_tolerance.c - the design of the largest tolerance (libmlg_tolerance)
  *
- * Of the 2^n corners of the box only a few fail first: the search asks these, adds the corners that
- * fail earlier where it has come to, by the slopes of the bounds of c_d and by turning one
- * parameter after the other, and at its end tests all of them.
+ * Of the 2^n corners of the box only a few fail first: for each mode that limits a design the one
+ * to which its slopes lead.  The search asks these, more of them as it finds them, and at its end all.
  */
-#include "explorer.h"
+#include "weakest.h"
 
 #include <math.h>
 #include <string.h>
@@ -12,106 +11,9 @@
 #include "box.h"
 #include "command.h"
 
-/* The design of par[] as its corners are asked. */
-static struct box_at here(const struct explorer *e)
+static void put_p(struct weakest *w, double p)
 {
-  struct box_at d = { .layout = e->layout, .par = e->par, .box = &e->corners.box, .V_top = e->V_top, .elements = e->others };
-
-  memcpy(d.element, e->other, sizeof d.element);
-  return d;
-}
-
-/* The largest p of the design of par[] at the corners that are asked; the one that fails first is
- * asked first next time. */
-static double tolerance_here(struct explorer *e)
-{
-  struct corners *const asked = &e->corners;
-  const struct box_at d = here(e);
-  double p = LIBMLG_MOST_TOLERANCE;
-
-  for (int i = 0; i < asked->n; i++) {
-    const unsigned corner = asked->corner[i];
-
-    if (box_is_free(&d, corner, p * (1. - 1e-9)))
-      continue;
-    p = box_begins(&d, corner, p);
-    memmove(&asked->corner[1], asked->corner, (size_t)i * sizeof corner);
-    asked->corner[0] = corner;
-  }
-  return p;
-}
-
-static double tolerance(const double x[], void *explorer)
-{
-  struct explorer *const e = explorer;
-
-  explore_set_all(e, x);
-  const struct box_at d = here(e);
-
-  return box_is_free(&d, 0, 0.) ? tolerance_here(e) : fmin(explore_ratio(x, e), 0.);
-}
-
-/* Of a place, at the best c_d, which is left in par[]: golden section over log c_d in the interval
- * without shimmy of the largest hi/lo. */
-static double tolerance_over_c_d(const double x[], void *explorer)
-{
-  struct explorer *const e = explorer;
-  const double part = 0.6180339887498949;
-  struct libmlg_interval interval[LIBMLG_MOST_POINTS];
-  double lo = 1., hi = 0., best = 0., c_d = 0.;
-
-  explore_set(e, x);
-  const int n = libmlg_intervals(e->layout, e->par, 0., 0., e->V_top, interval, LIBMLG_MOST_POINTS);
-
-  for (int i = 0; i < n; i++) {
-    const double from = fmax(interval[i].lo.c_d, 1e-4 * fmin(interval[i].hi.c_d, 1e4)), to = fmin(interval[i].hi.c_d, 1e4 * from);
-
-    if (to / from > hi / lo) {
-      lo = from;
-      hi = to;
-    }
-  }
-  for (double left = log(lo), right = log(hi), a = 0., b = 0., at_a = -1., at_b = -1.; right - left > 1e-5;) {
-    if (at_a < 0.) {
-      e->par[NUMBER_C_D] = exp(a = right - part * (right - left));
-      at_a = tolerance_here(e);
-      if (at_a > best)
-        best = at_a, c_d = e->par[NUMBER_C_D];
-    }
-    if (at_b < 0.) {
-      e->par[NUMBER_C_D] = exp(b = left + part * (right - left));
-      at_b = tolerance_here(e);
-      if (at_b > best)
-        best = at_b, c_d = e->par[NUMBER_C_D];
-    }
-    if (at_a >= at_b) {
-      right = b;
-      b = a;
-      at_b = at_a;
-      at_a = -1.;
-    } else {
-      left = a;
-      a = b;
-      at_a = at_b;
-      at_b = -1.;
-    }
-  }
-  if (best > 0.)
-    e->par[NUMBER_C_D] = c_d;
-  return best;
-}
-
-/* Climbs at the best c_d of each place, twice, so often; the value. */
-static double climb_exactly(struct explorer *e, double x[], int often, struct cma_random *random, int *asked)
-{
-  const int n = explore_variables(e) - 1;
-  double value = tolerance_over_c_d(x, e);
-
-  for (int k = 0; k < 2 && n > 0; k++)
-    *asked += explore_climb(tolerance_over_c_d, e, n, x, k ? 1e-3 : 0.02, random, often, &value);
-  value = tolerance_over_c_d(x, e);
-  explore_place(e, e->par[NUMBER_K_S], e->par[NUMBER_B], e->par[NUMBER_C_D], x);
-  return value;
+  w->p = p;
 }
 
 static int ask(struct explorer *e, unsigned corner)
@@ -121,125 +23,119 @@ static int ask(struct explorer *e, unsigned corner)
   for (int i = 0; i < asked->n; i++)
     if (asked->corner[i] == corner)
       return 0;
-  if (asked->n < EXPLORE_CORNERS)
-    asked->corner[asked->n++] = corner;
+  if (asked->n == EXPLORE_CORNERS)
+    return 0;
+  asked->corner[asked->n++] = corner;
   return 1;
 }
 
-/* Asks the corners to which the slopes of the bounds lead at this design, and from the one that
- * fails first those beside it that fail earlier, one parameter after the other to its other end;
- * how many are new. */
-static int ask_more(struct explorer *e, const double x[])
+/* The corner of the box of size p at which the ratio of a mode is least by its slopes at `from`, of
+ * the same size (0: the design itself). */
+static unsigned worst_corner(const struct explorer *e, const struct weak *weak, unsigned from, double p)
 {
-  unsigned first[2];
-  double p = tolerance(x, e);
-  int more = 0, n;
+  const double h = 1e-6;
+  const struct box_at box = weakest_box(e);
+  unsigned corner = 0;
 
-  if (!(p > 0.))
-    return 0;
-  const struct box_at d = here(e);
+  for (int side = 0; side < box_sides(&box); side++) {
+    double ratio[2];
 
-  n = box_first_corners(&d, first);
-  for (int i = 0; i < n; i++)
-    more += ask(e, first[i]);
-  p = tolerance(x, e) * (1. - 1e-7);
-  unsigned at = e->corners.corner[0];
+    for (int k = 0; k < 2; k++) {
+      double part[LIBMLG_MOST_SIDES], par[LIBMLG_MOST_PARAMETERS], own[BOX_ELEMENTS];
 
-  for (int side = 0, since = 0; since < box_sides(&d); side = (side + 1) % box_sides(&d), since++)
-    if (!box_is_free(&d, at ^ 1u << side, p)) {
-      at ^= 1u << side;
-      p = box_begins(&d, at, p) * (1. - 1e-7);
-      since = 0;
+      box_corner(&box, from, p, part);
+      part[side] += k ? h : -h;
+      box_to(&box, part, par, own);
+      ratio[k] = mode_ratio(e->layout, par, &weak->mode);
+      box_back(&box, own);
     }
-  return more + ask(e, at);
+    if (ratio[1] < ratio[0])
+      corner |= 1u << side;
+  }
+  return corner;
 }
 
-/* The largest p, as often as new corners are found to fail earlier. */
-static double with_its_corners(const double x[], void *explorer)
+/* Asks the worst corners of the modes that are least at the place that is set; how many are new. */
+static int ask_worst(struct weakest *w)
 {
-  struct explorer *const e = explorer;
+  struct explorer *const e = w->e;
+  const double least = w->weak[0].mode.zeta;
+  int more = 0;
 
-  for (int k = 0; k < 8 && ask_more(e, x) > 0; k++)
-    ;
-  return tolerance(x, e);
+  for (int i = 0; i < w->n && i < CLIMB_PIECES && w->weak[i].mode.zeta < least + 1e-4; i++)
+    more += ask(e, worst_corner(e, &w->weak[i], e->corners.n > more ? e->corners.corner[w->weak[i].at] : 0, w->p));
+  return more;
 }
 
-/* Climbs from the best so far, until all corners tested fail no earlier than those asked. */
-static void settle(struct explorer *e, struct found *found)
+/* The largest p at the corners asked, of a design near x[]. */
+static double most_tolerance(struct weakest *w, double x[], int *asked)
 {
-  struct cma_random random = { 11 };
-  struct libmlg_tolerance all;
+  w->more = NULL;
+  if (w->e->corners.n == 0) { /* those of the best damped design */
+    w->p = 0.;
+    if (!(weakest_top(w, x, 0.1, asked) > 0.))
+      return 0.;
+    ask_worst(w);
+  } else { /* a design without shimmy at all */
+    struct corners *const corners = &w->e->corners;
+    const int n = corners->n;
+
+    corners->n = 0;
+    const double ratio = weakest_top(w, x, 0.1, asked);
+
+    corners->n = n;
+    if (!(ratio > 0.))
+      return 0.;
+  }
+  w->more = ask_worst;
+  return weakest_most(w, put_p, x, 1e-4, asked);
+}
+
+/* Again and again from a place, until all corners tested fail no earlier than those asked. */
+static double settle(struct weakest *w, double x[], double from, int *asked)
+{
+  struct explorer *const e = w->e;
+  struct libmlg_tolerance all = { .p = from };
 
   for (int round = 0; round < 12; round++) {
-    const double value = climb_exactly(e, found->x, 80, &random, &found->asked);
+    const double p = weakest_most(w, put_p, x, 0.95 * all.p, asked);
+    const struct box_at box = weakest_box(e);
 
-    if (with_its_corners(found->x, e) < value * (1. - 1e-6))
-      continue;
-    explore_set_all(e, found->x);
-    const struct box_at d = here(e);
-
-    if (box_tolerance(&d, &all) != 0)
+    if (box_tolerance(&box, &all) != 0)
       fail("explore", MLG_FAILED, "no tolerance at k_s = %g, b = %g, c_d = %g", e->par[NUMBER_K_S], e->par[NUMBER_B], e->par[NUMBER_C_D]);
-    found->value = all.p;
-    if (all.p >= value * (1. - 1e-6) || !ask(e, all.corner))
-      return;
-  }
-}
-
-/* One start, to a place x[]; more corners are asked on the way. */
-static void tolerant_start(struct explorer *e, const double given[], struct cma_random *random, double x[], int *asked)
-{
-  const int n = explore_variables(e);
-  double best = -INFINITY, place[EXPLORE_VARIABLES];
-
-  for (int k = 0; k < (given ? 1 : 12); k++) {
-    for (int i = 0; i < n; i++)
-      place[i] = given ? given[i] : cma_uniform(random);
-    const double value = tolerance(place, e);
-
-    ++*asked;
-    if (k == 0 || value > best) {
-      best = value;
-      memcpy(x, place, sizeof place);
-    }
-  }
-  for (int k = 0; k < 12; k++) {
-    *asked += explore_climb(tolerance, e, n, x, k == 0 ? 0.15 : 0.02, random, 150 * n, &best);
-    if (with_its_corners(x, e) >= best * (1. - 1e-3))
+    if (all.p >= p * (1. - 1e-6) || !ask(e, all.corner))
       break;
   }
+  return all.p;
 }
 
-void explore_tolerance(struct explorer *e, int starts, struct found *found)
+void explore_tolerance(struct explorer *e, int n, struct found *found)
 {
-  double result[EXPLORE_STARTS], place[EXPLORE_STARTS][EXPLORE_VARIABLES] = { { 0. } };
-  struct cma_random random = { 13 };
-  const int n = e->given.n + starts;
-  int top = 0;
+  struct weakest w = { .e = e };
+  struct starts starts;
 
-  *found = (struct found){ .starts = n };
+  *found = (struct found){ .value = 0. };
   e->corners.n = 0;
   explore_set_all(e, (double[EXPLORE_VARIABLES]){ 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5 });
   libmlg_box_of(e->layout, e->par, &e->corners.box);
-  for (int start = 0; start < n; start++) {
-    tolerant_start(e, start < e->given.n ? e->given.x[start] : NULL, &random, place[start], &found->asked);
-    if (tolerance(place[start], e) > 0.)
-      climb_exactly(e, place[start], 30, &random, &found->asked);
-  }
-  for (int start = 0; start < n; start++) { /* by the corners of all */
-    result[start] = tolerance(place[start], e);
-    if (start == 0 || result[start] > found->value) {
-      top = start;
-      found->value = result[start];
-      memcpy(found->x, place[start], sizeof place[start]);
-    }
-  }
+  explore_starts(&w, most_tolerance, n, &starts, &found->asked);
+  explore_best(e, &starts, 1e-2, found);
   if (!(found->value > 0.))
     return;
-  settle(e, found);
-  for (int start = 0; start < n; start++)
-    result[start] = start == top ? found->value : tolerance(place[start], e);
-  found->met = explore_met(result, n, found->value, 1e-2);
+  found->value = settle(&w, found->x, found->value, &found->asked);
+  const struct found settled = *found;
+
+  for (int i = 0; i < starts.n; i++) /* by the corners that are known now */
+    if (starts.value[i] > 0.)
+      starts.value[i] = weakest_most(&w, put_p, starts.x[i], 0.95 * starts.value[i], &found->asked);
+  explore_best(e, &starts, 1e-2, found);
+  if (found->value > settled.value * (1. + 1e-6))
+    found->value = settle(&w, found->x, found->value, &found->asked);
+  else {
+    found->value = settled.value;
+    memcpy(found->x, settled.x, sizeof found->x);
+  }
   explore_set_all(e, found->x);
   explore_take(e, found);
+  e->corners.n = 0;
 }

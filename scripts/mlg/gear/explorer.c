@@ -1,8 +1,8 @@
 /* explorer.c - a global search of designs: places, repeated starts, the largest damping
  *
  * The free values of a network are those of its b, k_s and c_d, and of any further elements
- * that are asked for.  Each start is a run of cma.h from the best of a few random places, then
- * finer ones from there, at the best c_d of each place where that is known exactly.
+ * that are asked for.  Each start is a climb (weakest.h) from the best of a few random places, each
+ * at the c_d that is best there, exactly.
  */
 #include "explorer.h"
 
@@ -11,6 +11,7 @@
 
 #include "command.h"
 #include "networks.h"
+#include "weakest.h"
 
 /* --- a design from a place in the unit box ------------------------------------------------- */
 
@@ -146,122 +147,33 @@ int explore_met(const double result[], int n, double best, double same)
   return met;
 }
 
-/* To a place x[], from the best of a few random places or from `given`. */
-static double one_start(struct explorer *e, const struct goal *goal, const double given[], struct cma_random *random,
-                        double x[], int *asked)
+/* Of so many random places, each with the c_d that is best damped there, the best; smaller inertances
+ * more often. */
+static void best_of_some(const struct weakest *w, int places, struct cma_random *random, double x[], int *asked)
 {
-  const int n = explore_variables(e), places = given ? 1 : 12;
-  double best = -INFINITY, place[EXPLORE_VARIABLES];
+  struct explorer *const e = w->e;
+  const int n = explore_variables(e) - 1;
+  double best = -1.;
 
+  for (int i = 0; i <= n; i++)
+    x[i] = cma_uniform(random);
   for (int k = 0; k < places; k++) {
+    struct libmlg_interval better;
+    struct libmlg_ratio here;
+    double place[EXPLORE_VARIABLES];
+
     for (int i = 0; i < n; i++)
-      place[i] = given ? given[i] : cma_uniform(random);
-    const double value = goal->rough(place, e);
-
-    if (k == 0 || value > best) {
-      best = value;
-      memcpy(x, place, sizeof place);
-    }
-  }
-  *asked += places + explore_climb(goal->rough, e, n, x, given ? 0.03 : 0.15, random, 250 * n, &best);
-  for (int k = 0; k < 2; k++) /* finer */
-    *asked += explore_climb(goal->rough, e, n, x, k ? 1e-4 : 3e-3, random, 60 * n, &best);
-  return best;
-}
-
-/* --- about the best of them ----------------------------------------------------------------------- */
-
-/* Golden section over x[0], or over x[1] with the best x[0] of each, within `half` of where they
- * are: a ridge, on which steps in all directions end anywhere, does not stop it. */
-struct section { struct explorer *e; const struct goal *goal; double half, best, x[2]; int asked; };
-
-static double along(struct section *s, int variable, double x[2]);
-
-static double at(struct section *s, int variable, const double from[2], double place)
-{
-  double x[2] = { from[0], from[1] }, value;
-
-  x[variable] = place;
-  if (variable == 1)
-    return along(s, 0, x);
-  value = s->goal->exact(x, s->e);
-  s->asked++;
-  if (value > s->best) {
-    s->best = value;
-    memcpy(s->x, x, sizeof x);
-  }
-  return value;
-}
-
-/* The largest value found, x[variable] its place; of all so far s->best at s->x. */
-static double along(struct section *s, int variable, double x[2])
-{
-  const double part = 0.6180339887498949, centre = variable == 0 ? s->x[0] : x[variable];
-  double left = fmax(0., centre - s->half), right = fmin(1., centre + s->half);
-  double a = right - part * (right - left), b = left + part * (right - left);
-  double at_a = at(s, variable, x, a), at_b = at(s, variable, x, b), largest = fmax(at_a, at_b);
-
-  while (right - left > (variable == 0 ? 1e-6 : 1e-3) * s->half) {
-    if (at_a >= at_b) {
-      right = b;
-      b = a;
-      at_b = at_a;
-      a = right - part * (right - left);
-      at_a = at(s, variable, x, a);
-    } else {
-      left = a;
-      a = b;
-      at_a = at_b;
-      b = left + part * (right - left);
-      at_b = at(s, variable, x, b);
-    }
-    largest = fmax(largest, fmax(at_a, at_b));
-  }
-  return largest;
-}
-
-/* With further elements: the strategy again, at the best c_d of each place. */
-static void climb_exactly(struct explorer *e, const struct goal *goal, double x[], double *value, int *asked)
-{
-  const int n = explore_variables(e) - 1;
-  struct cma_random random = { 17 };
-  double at[EXPLORE_VARIABLES], best = -INFINITY;
-
-  memcpy(at, x, sizeof at);
-  for (int k = 0; k < 2; k++)
-    *asked += explore_climb(goal->exact, e, n, at, k ? 1e-4 : 5e-3, &random, 40 * n, &best);
-  if (best > *value) {
-    *value = goal->exact(at, e);
-    memcpy(x, at, (size_t)n * sizeof *at);
-    x[n] = place_of_damper(e->par[NUMBER_C_D]);
-  }
-}
-
-/* A place and its value from there on, in a wide window as often as that moves on, then in a narrow
- * one; so for k_s and b alone. */
-static void refine(struct explorer *e, const struct goal *goal, double x[], double *value, int *asked)
-{
-  const int n = explore_variables(e) - 1;
-
-  if (!goal->exact || n < 1)
-    return;
-  if (n > 2) {
-    climb_exactly(e, goal, x, value, asked);
-    return;
-  }
-  for (int wide = 8; wide >= 0; wide--) {
-    struct section s = { e, goal, wide ? 0.06 : 0.003, -INFINITY, { x[0], x[1] }, 0 };
-
-    at(&s, 0, s.x, s.x[0]);
-    along(&s, n - 1, (double[2]){ x[0], x[1] });
-    *asked += s.asked;
-    if (wide && !(s.best > *value + 1e-4 * fabs(*value)))
-      wide = 1;
-    if (s.best > *value) {
-      *value = goal->exact(s.x, e);
-      memcpy(x, s.x, (size_t)n * sizeof *s.x);
-      x[n] = place_of_damper(e->par[NUMBER_C_D]);
-    }
+      place[i] = cma_uniform(random);
+    if (e->has_b)
+      place[e->has_k_s] *= place[e->has_k_s];
+    explore_set(e, place);
+    ++*asked;
+    if ((best > -1. && libmlg_intervals(e->layout, e->par, best, w->V_least, e->V_top, &better, 1) < 1)
+        || libmlg_best_c_d(e->layout, e->par, w->V_least, e->V_top, &here) != 0 || !(here.zeta > best))
+      continue;
+    best = here.zeta;
+    memcpy(x, place, sizeof place);
+    x[n] = place_of_damper(here.c_d);
   }
 }
 
@@ -274,80 +186,53 @@ void explore_take(const struct explorer *e, struct found *found)
     found->other[i] = e->other[i]->value;
 }
 
-/* The design of its place. */
-static void take_design(struct explorer *e, const struct goal *goal, struct found *found)
+void explore_best(struct explorer *e, const struct starts *starts, double same, struct found *found)
 {
+  int best = 0;
+
+  for (int i = 1; i < starts->n; i++)
+    if (starts->value[i] > starts->value[best])
+      best = i;
+  found->value = starts->value[best];
+  found->met = explore_met(starts->value, starts->n, found->value, same);
+  found->starts = starts->n;
+  memcpy(found->x, starts->x[best], sizeof found->x);
   explore_set_all(e, found->x);
-  if (goal->exact)
-    goal->exact(found->x, e);
   explore_take(e, found);
 }
 
-/* The number of the largest of result[n] but for number `not`. */
-static int largest(const double result[], int n, int not)
+void explore_starts(struct weakest *w, double top(struct weakest *w, double x[], int *asked), int n, struct starts *starts,
+                    int *asked)
 {
-  int best = not == 0 && n > 1;
-
-  for (int i = 0; i < n; i++)
-    if (i != not && result[i] > result[best])
-      best = i;
-  return best;
-}
-
-void explore_starts(struct explorer *e, const struct goal *goal, int starts, double result[], struct found *found)
-{
-  double place[EXPLORE_STARTS][EXPLORE_VARIABLES] = { { 0. } };
+  struct explorer *const e = w->e;
   struct cma_random random = { 1 };
-  const int n = e->given.n + starts;
 
-  *found = (struct found){ .starts = n };
-  for (int i = 0; i < n; i++)
-    result[i] = one_start(e, goal, i < e->given.n ? e->given.x[i] : NULL, &random, place[i], &found->asked);
-  /* the best two on their own ways */
-  const int best = largest(result, n, -1), second = largest(result, n, best);
+  starts->n = e->given.n + n;
+  for (int i = 0; i < starts->n; i++) {
+    double *const x = starts->x[i];
 
-  refine(e, goal, place[best], &result[best], &found->asked);
-  if (n > 1)
-    refine(e, goal, place[second], &result[second], &found->asked);
-  const int top = largest(result, n, -1);
-
-  found->value = result[top];
-  memcpy(found->x, place[top], sizeof place[top]);
-  found->met = explore_met(result, n, found->value, goal->same);
-  take_design(e, goal, found);
+    if (i < e->given.n)
+      memcpy(x, e->given.x[i], sizeof starts->x[i]);
+    else
+      best_of_some(w, (int[]){ 24, 8, 3 }[i % 3], &random, x, asked);
+    w->n = 0;
+    starts->value[i] = top(w, x, asked);
+  }
 }
 
 /* --- damping ---------------------------------------------------------------------------------- */
 
-double explore_ratio(const double x[], void *explorer)
+static double top_ratio(struct weakest *w, double x[], int *asked)
 {
-  struct explorer *const e = explorer;
-  struct libmlg_ratio least;
-
-  explore_set_all(e, x);
-  return libmlg_least_ratio(e->layout, e->par, e->V_least, e->V_top, &least) == 0 ? least.zeta : -INFINITY;
+  return weakest_top(w, x, 0.1, asked);
 }
 
-void explore_zeta(struct explorer *e, int starts, struct found *found)
+void explore_zeta(struct explorer *e, int n, struct found *found)
 {
-  static const struct goal goal = { explore_ratio, NULL, 1e-2 };
-  double result[EXPLORE_STARTS + 1];
-  struct libmlg_ratio best;
+  struct weakest w = { .e = e, .V_least = e->V_least };
+  struct starts starts;
 
-  explore_starts(e, &goal, starts, result, found);
-  if (e->others > 0)
-    return;
-  /* and by a grid that is refined, exactly over c_d: a start more */
-  if (libmlg_best_damped(e->layout, e->par, 0., e->has_b ? e->b_most : 0., e->V_least, e->V_top, &best) != 0
-      || (e->has_k_s && !(best.k_s >= e->k_least && best.k_s <= 1e9)))
-    return;
-  result[found->starts++] = best.zeta;
-  if (best.zeta > found->value) {
-    found->value = best.zeta;
-    found->lo = found->hi = best.c_d;
-    found->k_s = best.k_s;
-    found->b = best.b;
-    explore_place(e, found->k_s, found->b, found->lo, found->x);
-  }
-  found->met = explore_met(result, found->starts, found->value, goal.same);
+  *found = (struct found){ .value = -INFINITY };
+  explore_starts(&w, top_ratio, n, &starts, &found->asked);
+  explore_best(e, &starts, 1e-2, found);
 }

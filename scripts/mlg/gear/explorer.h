@@ -25,7 +25,7 @@ struct explorer {
   struct part *other[EXPLORE_OTHERS];
   struct places given;
   struct corners corners; /* of explore_tolerance() */
-  double load, load_here; /* of explore_load(): that all designs have to bear, and the last one found, N */
+  double load;            /* of explore_load(): that of the gear, N */
   int of_ratio;           /* of explore_interval(): hi/lo, not hi - lo */
 };
 
@@ -36,13 +36,10 @@ struct found {
   int met, starts, asked;
 };
 
-/* What is to be largest: at a place, and at the best c_d of a place, whose c_d is left in
- * par[]; how near two results are, as a part of them, that count as one. */
-struct goal {
-  double (*rough)(const double x[], void *explorer);
-  double (*exact)(const double x[], void *explorer); /* NULL: none */
-  double same;
-};
+/* Where so many starts came to: the value and the place of each. */
+struct starts { int n; double value[EXPLORE_STARTS], x[EXPLORE_STARTS][EXPLORE_VARIABLES]; };
+
+struct weakest; /* weakest.h */
 
 /* All values but those that are searched stay as in par[]. */
 void explore_begin(struct explorer *e, int layout, const double par[], double b_most, double V_least, double V_top);
@@ -76,18 +73,19 @@ double explore_spring(const struct explorer *e, double x);
 int explore_climb(double f(const double x[], void *context), void *context, int n, double x[], double sigma,
                   struct cma_random *random, int most, double *best);
 
-/* The best of one start from each place that is given and so many from random ones; their values
- * become result[]. */
-void explore_starts(struct explorer *e, const struct goal *goal, int starts, double result[], struct found *found);
+/* One start from each place that is given and n from random ones, to where top() leads, which
+ * returns the value there and makes x[] the place. */
+void explore_starts(struct weakest *w, double top(struct weakest *w, double x[], int *asked), int n, struct starts *starts,
+                    int *asked);
+
+/* The best of them, which is set, and how many came within the part `same` of it. */
+void explore_best(struct explorer *e, const struct starts *starts, double same, struct found *found);
 
 /* The k_s, b, other elements and c_d that are set, as those found. */
 void explore_take(const struct explorer *e, struct found *found);
 
 /* How many of the results come to the best. */
 int explore_met(const double result[], int n, double best, double same);
-
-/* The least damping ratio at a place. */
-double explore_ratio(const double x[], void *explorer);
 
 /* The largest least damping ratio; the widest zero-shimmy interval, or that of the largest
  * hi/lo; the largest load, N; the largest tolerance, per cent: the best of so many starts beside
