@@ -348,6 +348,8 @@ build/tests/libmlg.a: $(checked_library) build/tests/libmlg/gear.o
 
 build/tests/integrate build/tests/criticality: with = build/tests/libmlg.a $(lapack) $(sundials)
 build/tests/integrate build/tests/criticality: build/tests/libmlg.a
+build/tests/climb: with = build/tests/libmlg.a
+build/tests/climb: build/tests/libmlg.a
 
 # compiled in an eighth of the time, and hardly slower
 $(layout_tests): build/tests/layout-%: tests/test_layout.c models/%.c build/tests/libmlg.a build/auto.mk Makefile

@@ -16,6 +16,7 @@ struct climb {
   struct cut cut[CUTS];
   double best, at[N], radius;
   int tries; /* since the best place */
+  int bent, failed; /* whether the last step back to a kink led higher; places tried without one since */
 };
 
 /* --- the model's top --------------------------------------------------------------------------- */
@@ -80,30 +81,30 @@ static double on(const struct climb *c, const struct cut *cut, const double x[])
   return value;
 }
 
-/* The place of the box about the best one at which the least of the cuts is largest, and how much
+/* The place of the box about the best one at which the least of so many cuts is largest, and how much
  * that is above the best value. */
-static double top_of_model(const struct climb *c, double x[])
+static double top_of_model(const struct climb *c, const struct cut cut[], int cuts, double x[])
 {
-  struct programme p = { .rows = c->cuts + c->n, .columns = c->n + 1 };
+  struct programme p = { .rows = cuts + c->n, .columns = c->n + 1 };
   double low[N], scale = 1e-300, floor = INFINITY;
 
   for (int j = 0; j < c->n; j++)
     low[j] = fmax(0., c->at[j] - c->radius);
-  for (int i = 0; i < c->cuts; i++) {
-    floor = fmin(floor, on(c, &c->cut[i], low));
+  for (int i = 0; i < cuts; i++) {
+    floor = fmin(floor, on(c, &cut[i], low));
     for (int j = 0; j < c->n; j++)
-      scale = fmax(scale, fabs(c->cut[i].slope[j]) * c->radius);
+      scale = fmax(scale, fabs(cut[i].slope[j]) * c->radius);
   }
   /* z[0]: (value - floor) / scale, the others (x - low) / radius */
-  for (int i = 0; i < c->cuts; i++) {
+  for (int i = 0; i < cuts; i++) {
     p.a[i][0] = 1.;
     for (int j = 0; j < c->n; j++)
-      p.a[i][j + 1] = -c->cut[i].slope[j] * c->radius / scale;
-    p.a[i][p.columns] = (on(c, &c->cut[i], low) - floor) / scale;
+      p.a[i][j + 1] = -cut[i].slope[j] * c->radius / scale;
+    p.a[i][p.columns] = (on(c, &cut[i], low) - floor) / scale;
   }
   for (int j = 0; j < c->n; j++) {
-    p.a[c->cuts + j][j + 1] = 1.;
-    p.a[c->cuts + j][p.columns] = (fmin(1., c->at[j] + c->radius) - low[j]) / c->radius;
+    p.a[cuts + j][j + 1] = 1.;
+    p.a[cuts + j][p.columns] = (fmin(1., c->at[j] + c->radius) - low[j]) / c->radius;
   }
   p.a[p.rows][0] = -1.;
   for (int j = 0; j < p.columns; j++)
@@ -208,11 +209,10 @@ static int look_again(struct climb *c)
 
 /* A place that is not higher: its pieces correct the model, or, where they do not, the box is
  * too wide for it. */
-static void learn(struct climb *c, const double x[], const struct climb_piece piece[], int pieces, double expected)
+static void learn(struct climb *c, const double x[], double expected)
 {
   const double before = c->radius;
 
-  add(c, c->tops, piece, pieces, x);
   clean(c);
   if (is_lower_at(c, x, c->best + 0.5 * expected) || (look_again(c) && is_lower_at(c, x, c->best + 0.5 * expected))) {
     if (++c->tries % 3 == 0)
@@ -221,34 +221,56 @@ static void learn(struct climb *c, const double x[], const struct climb_piece pi
     c->radius = 0.3 * fmin(before, distance(c, x));
 }
 
+/* Tries a place, which becomes the best if it is higher; else its pieces stand before the others.
+ * Returns how many there are. */
+static int try(struct climb *c, const double x[], double expected)
+{
+  struct climb_piece piece[CLIMB_PIECES];
+  double value;
+  const int pieces = value_at(c, x, piece, &value);
+  const double gain = value - c->best, length = distance(c, x);
+
+  if (pieces > 0 && gain > 0.) {
+    move(c, x, value, piece, pieces);
+    if (gain > 0.5 * expected && length > 0.9 * c->radius)
+      c->radius = fmin(2. * c->radius, 0.5);
+    else /* a short step may come of cuts from afar that are wrong here: they go with the wide box */
+      c->radius = fmin(gain < 0.1 * expected ? 0.7 * c->radius : c->radius, 4. * length);
+    c->tries = 0;
+  } else
+    add(c, c->tops, piece, pieces, x);
+  return pieces;
+}
+
 /* One step; how often it asked for a value. */
 static int step(struct climb *c)
 {
-  struct climb_piece piece[CLIMB_PIECES];
-  double x[N], value;
-  const double expected = top_of_model(c, x), length = distance(c, x);
+  double x[N], beside[N];
+  const double before = c->best, expected = top_of_model(c, c->cut, c->cuts, x);
+  int asked = 1;
 
-  if (!(length > 0.) || !(expected > 1e-13 * fabs(c->best))) { /* none is higher, if the model is right */
+  if (!(distance(c, x) > 0.) || !(expected > 1e-13 * fabs(c->best))) { /* none is higher, if the model is right */
     c->radius *= 0.2;
     clean(c);
     return 0;
   }
-  const int pieces = value_at(c, x, piece, &value);
-  const double gain = value - c->best;
+  const int pieces = try(c, x, expected);
 
-  if (pieces == 0) {
-    c->radius = 0.3 * fmin(c->radius, length);
-  } else if (gain > 0.) {
-    move(c, x, value, piece, pieces);
-    if (gain > 0.5 * expected && length > 0.9 * c->radius)
-      c->radius = fmin(2. * c->radius, 0.5);
-    else if (gain < 0.1 * expected)
-      c->radius *= 0.7;
-    c->tries = 0;
-  } else
-    learn(c, x, piece, pieces, expected);
+  if (pieces == 0)
+    c->radius = 0.3 * fmin(c->radius, distance(c, x));
+  else if (c->best == before) {
+    /* back to the kink by the pieces of that place alone: those of the best one may bend away from it */
+    if (pieces > 1 && (c->bent || ++c->failed % 4 == 0) && top_of_model(c, &c->cut[c->tops], pieces, beside) > 0.
+        && distance(c, beside) > 0.) {
+      try(c, beside, expected);
+      c->bent = c->best > before;
+      asked++;
+    }
+    if (c->best == before)
+      learn(c, x, expected);
+  }
   clean(c);
-  return 1;
+  return asked;
 }
 
 int climb_largest(climb_function *f, void *context, int n, double x[], double radius, int most, double enough,
