@@ -12,7 +12,7 @@ struct cut { double value, slope[N], at[N]; };
 struct climb {
   climb_function *f;
   void *context;
-  int n, cuts, tops; /* the first `tops` of the cuts are those of the best place, then the latest first */
+  int n, asked, cuts, tops; /* asked: values so far; the first `tops` of the cuts are those of the best place, then the latest first */
   struct cut cut[CUTS];
   double best, at[N], radius;
   int tries; /* since the best place */
@@ -159,10 +159,11 @@ static void add(struct climb *c, int from, const struct climb_piece piece[], int
 }
 
 /* The pieces at x[] that have slopes, and the least value. */
-static int value_at(const struct climb *c, const double x[], struct climb_piece piece[], double *value)
+static int value_at(struct climb *c, const double x[], struct climb_piece piece[], double *value)
 {
   const int n = c->f(x, piece, c->context);
 
+  c->asked++;
   *value = n > 0 ? INFINITY : -INFINITY;
   for (int i = 0; i < n; i++) {
     for (int j = 0; j < c->n; j++)
@@ -242,17 +243,15 @@ static int try(struct climb *c, const double x[], double expected)
   return pieces;
 }
 
-/* One step; how often it asked for a value. */
-static int step(struct climb *c)
+static void step(struct climb *c)
 {
   double x[N], beside[N];
   const double before = c->best, expected = top_of_model(c, c->cut, c->cuts, x);
-  int asked = 1;
 
   if (!(distance(c, x) > 0.) || !(expected > 1e-13 * fabs(c->best))) { /* none is higher, if the model is right */
     c->radius *= 0.2;
     clean(c);
-    return 0;
+    return;
   }
   const int pieces = try(c, x, expected);
 
@@ -264,13 +263,11 @@ static int step(struct climb *c)
         && distance(c, beside) > 0.) {
       try(c, beside, expected);
       c->bent = c->best > before;
-      asked++;
     }
     if (c->best == before)
       learn(c, x, expected);
   }
   clean(c);
-  return asked;
 }
 
 int climb_largest(climb_function *f, void *context, int n, double x[], double radius, int most, double enough,
@@ -278,15 +275,16 @@ int climb_largest(climb_function *f, void *context, int n, double x[], double ra
 {
   struct climb c = { .f = f, .context = context, .n = n, .radius = radius };
   struct climb_piece piece[CLIMB_PIECES];
-  int asked = 1;
   const int pieces = value_at(&c, x, piece, best);
 
-  if (pieces == 0)
-    return asked;
+  if (pieces == 0) {
+    *best = -INFINITY;
+    return c.asked;
+  }
   move(&c, x, *best, piece, pieces);
-  while (asked < most && c.radius > 1e-9 && !(c.best > enough))
-    asked += step(&c);
+  while (c.asked < most && c.radius > 1e-9 && !(c.best > enough))
+    step(&c);
   memcpy(x, c.at, (size_t)n * sizeof *x);
   *best = c.best;
-  return asked;
+  return c.asked;
 }

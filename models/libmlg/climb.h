@@ -24,7 +24,7 @@ enum { CLIMB_PIECES = 16 };
 typedef int climb_function(const double x[], struct climb_piece piece[], void *context);
 
 /* From x[n], 0 <= x <= 1, n <= CLIMB_MOST, with a box of half-width `radius` to begin with, until
- * that is below 1e-9 or the value above `enough`; after `most` values in any case.  x[] becomes
+ * that is below 1e-9 or the value above `enough`; after about `most` values in any case.  x[] becomes
  * the best place, *best its value.  Returns the number of values asked for. */
 int climb_largest(climb_function *f, void *context, int n, double x[], double radius, int most, double enough,
                   double *best);

@@ -2,17 +2,18 @@
 # Every small network: its best designs, ranked (docs/networks.md)
 #
 #   scripts/studies/networks.sh      all of it
-#   scripts/studies/networks.sh runs [small | load | tolerance | larger] | tables | draw
+#   scripts/studies/networks.sh runs [small | larger] | tables | draw
 #
-# Three searches for each network, up to a minute each; what was interrupted goes on with the networks that are left.
+# One search for each network, up to a minute; what was interrupted goes on with the networks that are left.
 #
 # Writes: results/networks.csv, results/networks_larger.csv, results/networks.svg; build/tables/networks.*.csv
 # Expect: 35 networks; width 264.6269 of L1, 10226.87 of L2, 11244.367 of LI1 at b = 140.4708,
 #         and 22354 of LI2 at b = 300, which is the widest of all.
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 
-search=(models/{mlg,network,linearised}.h models/libmlg/{boundary_points,cma,crossing,crossing_extrema,crossing_roots,device_layout,device_text}.c
-  scripts/mlg/gear/explorer.c)
+search=(models/{mlg,network,linearised}.h
+  models/libmlg/{best_ratio,boundary_points,climb,cma,crossing,crossing_extrema,crossing_roots,device_layout,device_text,free,mode,tolerance,widest}.c
+  scripts/mlg/gear/{explore,explore_interval,explore_load,explore_tolerance,explorer,weakest}.c)
 
 # NUMBER NETWORK PATH LAYOUT of each, as mlg networks has them
 each_network() {
@@ -22,24 +23,7 @@ each_network() {
 runs_small() {
   local number network rest
   while read -r number network rest; do
-    made "networks.$number" "${search[@]}" models/libmlg/{best_ratio,widest}.c scripts/mlg/gear/explore_interval.c -- \
-      mlg explore "$network" zeta width ratio starts=6
-  done < <(each_network)
-}
-
-runs_load() {
-  local number network rest
-  while read -r number network rest; do
-    made "networks.load.$number" "${search[@]}" models/libmlg/{best_ratio,free}.c scripts/mlg/gear/explore_load.c -- \
-      mlg explore "$network" load starts=4
-  done < <(each_network)
-}
-
-runs_tolerance() {
-  local number network rest
-  while read -r number network rest; do
-    made "networks.tolerance.$number" "${search[@]}" models/libmlg/{best_ratio,free,slopes,tolerance}.c scripts/mlg/gear/explore_tolerance.c -- \
-      mlg explore "$network" tolerance starts=3
+    made "networks.$number" "${search[@]}" -- mlg explore "$network" starts=12
   done < <(each_network)
 }
 
@@ -53,7 +37,7 @@ each_larger() {
 runs_larger() {
   local number network free
   while read -r number network free; do
-    made "networks.larger.$number" "${search[@]}" models/libmlg/best_ratio.c scripts/mlg/gear/explore_interval.c -- \
+    made "networks.larger.$number" "${search[@]}" -- \
       mlg explore "$network" zeta width free="$free" starts=2
   done < <(each_larger)
 }
@@ -68,7 +52,7 @@ ranked() { # QUANTITY
         k = path == "k_d" ? k_d : path == "k_s" ? $3 : path == "k_d|k_s" ? k_d + $3 : k_d * $3 / (k_d + $3)
         print number, network, layout, sprintf("%.7g", $2), $3 == "inf" ? "" : sprintf("%.7g", $3),
           network ~ /(^|[^_a-z])b($|[^_a-z])/ ? sprintf("%.6g", $4) : "", sprintf("%.7g", $5), sprintf("%.7g", $6),
-          sprintf("%.6g", k), $7, $8, ($7 > 1 || ($8 == 1 && quantity ~ /width|ratio/) ? "yes" : "no") }' < <(cat build/tables/networks.{,load.,tolerance.}"$number.csv")
+          sprintf("%.6g", k), $7, $8, ($7 > 1 || ($8 == 1 && quantity ~ /width|ratio/) ? "yes" : "no") }' "build/tables/networks.$number.csv"
   done < <(each_network) | sort -t, -k4,4gr -k1,1n | awk -v OFS=, -v quantity="$1" '{ print quantity, NR, $0 }'
 }
 

@@ -175,7 +175,8 @@ const struct command command_explore = {
     "  tolerance     the largest p of `mlg help tolerance`, per cent, all corners tested\n"
     "  k_s, b, c_lo, c_hi  the design; of zeta, load and tolerance c_lo = c_hi = c_d\n"
     "  met, starts   how many of the starts, random or given, came within 1 % of the best, of a load\n"
-    "                within 0.1 %; of an interval, starts are stretches of b that overlap\n"
+    "                within 0.1 %; of an interval, starts are six stretches of b that overlap, or with\n"
+    "                free=NAME as said\n"
     "  asked         how many designs were looked at; of width and ratio how many b, each with all k_s\n"
     "  c_2, ...      the values of the elements that are free\n",
   .run = run,

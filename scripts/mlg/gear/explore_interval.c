@@ -10,6 +10,8 @@
 
 /* --- over k_s, and what is left of it by cma.h ---------------------------------------------------- */
 
+enum { STRETCHES = 6 };
+
 /* v: of b = b_most v^2, so that small inertances, where peaks are narrow, have their share. */
 struct widest { struct explorer *e; int of_ratio; double v; struct libmlg_interval interval; double k_s, size; };
 
@@ -46,6 +48,11 @@ static double at_k_s(const double x[], void *context)
 static double b_at(const struct explorer *e, double v)
 {
   return e->has_b ? e->b_most * v * v : 0.;
+}
+
+static double v_at(const struct explorer *e, double b)
+{
+  return e->b_most > 0. ? sqrt(b / e->b_most) : 0.;
 }
 
 static double widest_at(struct widest *w, double v)
@@ -111,7 +118,7 @@ static double at_place(const double x[], void *context)
 
   here.size = -INFINITY;
   explore_set(w->e, x);
-  here.v = sqrt(w->e->par[NUMBER_B] / w->e->b_most);
+  here.v = v_at(w->e, w->e->par[NUMBER_B]);
   take_interval(&here);
   if (here.size > w->size)
     *w = here;
@@ -132,13 +139,13 @@ static void beside(struct widest *best, const double given[])
 
 /* --- over b --------------------------------------------------------------------------------------- */
 
-/* The best of so many stretches of v, each with those beside it, to result[]. */
-static struct widest over_b(const struct widest *none, int stretches, double result[], int *asked)
+/* The best of the stretches of v, each with those beside it, to result[]. */
+static struct widest over_b(const struct widest *none, double result[], int *asked)
 {
-  const double step = 1. / stretches;
+  const double step = 1. / STRETCHES;
   struct widest best = *none;
 
-  for (int i = 0; i < stretches; i++) {
+  for (int i = 0; i < STRETCHES; i++) {
     const struct widest here = between(*none, fmax(0., (i - 1) * step), fmin(1., (i + 2) * step), 1e-3, asked);
 
     result[i] = here.size;
@@ -210,7 +217,6 @@ static struct widest over_others(struct explorer *e, int starts, double result[]
     if (result[start] > best.size && result[start] > 0.) {
       explore_set(e, x);
       take_interval(&best);
-      best.v = sqrt(e->par[NUMBER_B] / e->b_most);
       memcpy(at, x, sizeof x);
     }
   }
@@ -223,12 +229,12 @@ void explore_interval(struct explorer *e, int of_ratio, int starts, struct found
   struct widest best = none;
   double result[EXPLORE_STARTS];
 
-  *found = (struct found){ .starts = e->others > 0 ? e->given.n + starts : e->has_b ? starts : 1 };
+  *found = (struct found){ .starts = e->others > 0 ? e->given.n + starts : e->has_b ? STRETCHES : 1 };
   e->of_ratio = of_ratio;
   if (e->others > 0) {
     best = over_others(e, starts, result, found->x, &found->asked);
   } else if (e->has_b) {
-    best = over_b(&none, starts, result, &found->asked);
+    best = over_b(&none, result, &found->asked);
   } else {
     result[0] = widest_at(&best, 0.);
     found->asked++;
@@ -239,10 +245,11 @@ void explore_interval(struct explorer *e, int of_ratio, int starts, struct found
     refine_b(&best, &found->asked);
   if (e->others > 0)
     explore_set(e, found->x);
+  else
+    e->par[NUMBER_B] = b_at(e, best.v);
   explore_take(e, found);
   found->value = best.size;
   found->k_s = best.k_s;
-  found->b = b_at(e, best.v);
   found->lo = best.interval.lo.c_d;
   found->hi = best.interval.hi.c_d;
   found->met = explore_met(result, found->starts, best.size, 1e-2);

@@ -213,7 +213,7 @@ void explore_starts(struct weakest *w, double top(struct weakest *w, double x[],
 
     if (i < e->given.n)
       memcpy(x, e->given.x[i], sizeof starts->x[i]);
-    else
+    else /* of many places the best lies on the broadest ridge, of few anywhere */
       best_of_some(w, (int[]){ 24, 8, 3 }[i % 3], &random, x, asked);
     w->n = 0;
     starts->value[i] = top(w, x, asked);
