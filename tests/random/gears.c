@@ -182,6 +182,21 @@ static int whole(const char *argument, const char *text, int least)
   return (int)value;
 }
 
+int read_layout(const char *argument, const char *name)
+{
+  char wanted[200] = "expected a layout:";
+  int layout = 0;
+
+  while (layout < ORACLE_LAYOUTS && strcmp(name, oracle_layout_name[layout]) != 0)
+    layout++;
+  if (layout == ORACLE_LAYOUTS) {
+    for (layout = 0; layout < ORACLE_LAYOUTS; layout++)
+      snprintf(wanted + strlen(wanted), sizeof wanted - strlen(wanted), " %s", oracle_layout_name[layout]);
+    refuse(argument, wanted);
+  }
+  return layout;
+}
+
 struct options read_options(int n, char **argument, int cases)
 {
   struct options o = { .cases = cases, .seed = 1, .spread = 1., .layout = -1 };
@@ -203,12 +218,9 @@ struct options read_options(int n, char **argument, int cases)
       o.spread = number(argument[i], value, 0., 10.);
     else if (IS("doubts"))
       o.doubts = (int)number(argument[i], value, 0., 15.);
-    else if (IS("layout")) {
-      for (o.layout = 0; o.layout < ORACLE_LAYOUTS && strcmp(value, oracle_layout_name[o.layout]) != 0; o.layout++)
-        ;
-      if (o.layout == ORACLE_LAYOUTS)
-        refuse(argument[i], "expected layout=l1, l2 or li1 to li5");
-    } else
+    else if (IS("layout"))
+      o.layout = read_layout(argument[i], value);
+    else
       refuse(argument[i], "expected N, seed=, case=, first=, spread=, doubts= or layout=");
 #undef IS
   }

@@ -40,6 +40,9 @@ struct options {
   int doubts;            /* kinds of random_doubts() */
 };
 
+/* The layout of that name, of an argument; a wrong one is one line on stderr and status 2. */
+int read_layout(const char *argument, const char *name);
+
 /* Reads N and options; a wrong one is one line on stderr and status 2. */
 struct options read_options(int n, char **argument, int cases);
 

@@ -2,7 +2,8 @@
  *
  * The device is a network of springs, a damper and an inerter between the wheels (twist psi),
  * two joints at most and the strut (0): twists of the joints and forces of the elements follow
- * from the states by one linear solve, in which a rigid spring is a compliance of 0.
+ * from the states by one linear solve, in which a rigid spring is a compliance of 0.  Damper and
+ * inerter in line count as one element, of which the twist of both is a state.
  */
 #include "matrix.h"
 
@@ -16,26 +17,29 @@ enum { DELTA, DDELTA, PSI, DPSI, GEAR = 5 };
 
 enum kind { SPRING, DAMPER, INERTER };
 
-/* Joints: 0 wheels, 1 and 2 free, STRUT. */
-enum { WHEELS, STRUT = 3, UNKNOWNS = 7 };
+/* Joints: 0 wheels, 1 and 2 free, STRUT. An inerter BEHIND the damper has its torque, and their
+ * twists add: the damper's ends in the table are those of both. */
+enum { WHEELS, STRUT = 3, NONE = -1, BEHIND = -2, UNKNOWNS = 7 };
 
 struct element { enum kind kind; int from, to; double value; };
 
-struct network { int elements, joints; struct element element[5]; };
+struct network { int elements, joints; bool behind; struct element element[5]; };
 
 /* The networks of docs/layouts.md in units of k_psi and of the time. */
 static struct network network(enum oracle_layout layout, double k_s, double k_d, double b)
 {
   static const struct { signed char joints, k_s[2], k_d[2], c_d[2], b[2]; } table[ORACLE_LAYOUTS] = {
-    [ORACLE_L1]  = { 1, { -1, -1 },   { 1, STRUT }, { 1, STRUT }, { -1, -1 } },
-    [ORACLE_L2]  = { 2, { 1, 2 },     { 2, STRUT }, { 2, STRUT }, { -1, -1 } },
+    [ORACLE_L1]  = { 1, { NONE },     { 1, STRUT }, { 1, STRUT }, { NONE } },
+    [ORACLE_L2]  = { 2, { 1, 2 },     { 2, STRUT }, { 2, STRUT }, { NONE } },
     [ORACLE_LI1] = { 2, { 1, 2 },     { 2, STRUT }, { 2, STRUT }, { 2, STRUT } },
     [ORACLE_LI2] = { 2, { 1, 2 },     { 2, STRUT }, { 2, STRUT }, { 1, 2 } },
     [ORACLE_LI3] = { 2, { 1, 2 },     { 2, STRUT }, { 2, STRUT }, { 1, STRUT } },
     [ORACLE_LI4] = { 2, { 2, STRUT }, { 1, STRUT }, { 1, 2 },     { 2, STRUT } },
     [ORACLE_LI5] = { 2, { 1, 2 },     { 1, STRUT }, { 2, STRUT }, { 2, STRUT } },
+    [ORACLE_LI6] = { 2, { 1, 2 },     { 1, STRUT }, { 2, STRUT }, { BEHIND } },
+    [ORACLE_LI7] = { 2, { 1, 2 },     { 1, STRUT }, { 2, STRUT }, { 1, STRUT } },
   };
-  struct network net = { .joints = table[layout].joints };
+  struct network net = { .joints = table[layout].joints, .behind = table[layout].b[0] == BEHIND };
 
   net.element[net.elements++] = (struct element){ SPRING, WHEELS, 1, 1. };
   net.element[net.elements++] = (struct element){ SPRING, table[layout].k_d[0], table[layout].k_d[1], k_d };
@@ -52,16 +56,19 @@ static struct network network(enum oracle_layout layout, double k_s, double k_d,
 static void add_device(struct matrix *m, enum oracle_layout layout, double k_s, double k_d, double b,
                        enum damper damper, const double by_torque[2])
 {
-  if (layout == ORACLE_LI3 && k_s >= oracle_rigid)
+  if ((layout == ORACLE_LI3 || layout == ORACLE_LI7) && k_s >= oracle_rigid)
     layout = ORACLE_LI1; /* both ends of k_s are one joint */
   if ((layout == ORACLE_LI2 || layout == ORACLE_LI4) && k_s >= oracle_rigid)
     b = 0.; /* the rigid spring beside it holds the inerter */
 
   const struct network net = network(layout, k_s, k_d, b);
-  const bool inerter = b > 0. && layout != ORACLE_L1 && layout != ORACLE_L2;
+  const bool inerter = b > 0. && layout != ORACLE_L1 && layout != ORACLE_L2 && !net.behind;
+  const bool in_line = net.behind && b > 0. && damper != FREE; /* else both carry no torque */
   bool parallel = false;
   int unknowns = net.joints, force[5], force_of_damper = -1, force_of_inerter = -1, n = GEAR;
-  int w = -1, v = -1; /* states: twist of the damper; twist of the inerter, v + 1 its rate */
+  /* states: twist of the damper, of both if in line; rate of an inerter in line; twist of
+   * another inerter, v + 1 its rate */
+  int w = -1, r = -1, v = -1;
   double T[UNKNOWNS * UNKNOWNS] = { 0. }, right[UNKNOWNS * MOST] = { 0. };
   lapack_int pivot[UNKNOWNS];
 
@@ -69,8 +76,10 @@ static void add_device(struct matrix *m, enum oracle_layout layout, double k_s, 
     for (int j = 0; j < net.elements; j++)
       if (net.element[i].kind == DAMPER && net.element[j].kind == INERTER && inerter)
         parallel = net.element[i].from == net.element[j].from && net.element[i].to == net.element[j].to;
-  if (damper == MOVES && !parallel)
+  if (net.behind ? in_line : damper == MOVES && !parallel)
     w = n++;
+  if (in_line)
+    r = n++;
   if (inerter && !(parallel && damper == LOCKED))
     v = n, n += 2;
   for (int i = 0; i < net.elements; i++)
@@ -90,7 +99,7 @@ static void add_device(struct matrix *m, enum oracle_layout layout, double k_s, 
     if (e->kind == SPRING)
       TABLEAU(force[i], force[i]) = e->value >= oracle_rigid ? 0. : -1. / e->value;
     else if (e->kind == DAMPER) {
-      by_twist = w >= 0 || (damper == LOCKED);
+      by_twist = w >= 0 || (damper == LOCKED && !net.behind);
       if (w >= 0)
         right[force[i] + UNKNOWNS * w] = 1.;
       force_of_damper = force[i];
@@ -125,15 +134,19 @@ static void add_device(struct matrix *m, enum oracle_layout layout, double k_s, 
 
   m->n = n;
   m->parallel = parallel && v >= 0;
-  m->row = w >= 0 ? w : m->parallel && damper == MOVES ? v + 1 : -1;
+  m->row = w >= 0 && damper == MOVES ? w : m->parallel && damper == MOVES ? v + 1 : -1;
   for (int j = 0; j < n; j++) {
     m->A0[DDELTA + MOST * j] -= by_torque[0] * right[force[0] + UNKNOWNS * j];
     m->A0[DPSI + MOST * j] -= by_torque[1] * right[force[0] + UNKNOWNS * j];
-    if (w >= 0)
+    if (w >= 0 && damper == MOVES)
       m->A2[w + MOST * j] = right[force_of_damper + UNKNOWNS * j];
+    if (r >= 0)
+      m->A0[r + MOST * j] = right[force_of_damper + UNKNOWNS * j] / b;
     if (v >= 0)
       m->A0[v + 1 + MOST * j] = right[force_of_inerter + UNKNOWNS * j] / b;
   }
+  if (r >= 0)
+    m->A0[w + MOST * r] = 1.;
   if (v >= 0)
     m->A0[v + MOST * (v + 1)] = 1.;
   if (m->row >= 0 && m->parallel)

@@ -44,7 +44,7 @@ const char *const oracle_name[ORACLE_PARAMETER_COUNT] = {
 #undef X
 };
 
-const char *const oracle_layout_name[ORACLE_LAYOUTS] = { "l1", "l2", "li1", "li2", "li3", "li4", "li5" };
+const char *const oracle_layout_name[ORACLE_LAYOUTS] = { "l1", "l2", "li1", "li2", "li3", "li4", "li5", "li6", "li7" };
 
 const char *const oracle_end_name[4] = { "fold", "V=0", "V_top", "open" };
 
@@ -566,8 +566,12 @@ struct oracle_answer oracle_intervals(enum oracle_layout layout, const struct or
   }
   for (int i = 0; i <= EVEN; i++)
     x[n++] = range[0] + (range[1] - range[0]) * i / EVEN;
-  for (int i = 0; i <= FINE && found > 0; i++) /* where there are Hopf points it is finer */
-    x[n++] = fmax(range[0], at[0] - 1.) + (fmin(range[1], at[found - 1] + 1.) - fmax(range[0], at[0] - 1.)) * i / FINE;
+  /* where there are Hopf points it is finer; all that is found may be rounding, beyond the range */
+  const double from = found > 0 ? fmax(range[0], at[0] - 1.) : range[1];
+  const double to = found > 0 ? fmin(range[1], at[found - 1] + 1.) : range[0];
+
+  for (int i = 0; i <= FINE && from < to; i++)
+    x[n++] = from + (to - from) * i / FINE;
   for (int i = 0; i < found; i++) {
     if (at[i] < range[0] || at[i] > range[1])
       continue;

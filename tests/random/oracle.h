@@ -48,7 +48,8 @@ double *oracle_at(struct oracle_gear *gear, int parameter);
 struct oracle_gear oracle_paper(void);
 
 /* Layouts, in the order of oracle_layout_name[]. */
-enum oracle_layout { ORACLE_L1, ORACLE_L2, ORACLE_LI1, ORACLE_LI2, ORACLE_LI3, ORACLE_LI4, ORACLE_LI5, ORACLE_LAYOUTS };
+enum oracle_layout { ORACLE_L1, ORACLE_L2, ORACLE_LI1, ORACLE_LI2, ORACLE_LI3, ORACLE_LI4, ORACLE_LI5, ORACLE_LI6, ORACLE_LI7,
+                     ORACLE_LAYOUTS };
 
 extern const char *const oracle_layout_name[ORACLE_LAYOUTS];
 

@@ -191,25 +191,12 @@ static struct oracle_gear changed(int n, char **argument)
   return gear;
 }
 
-static int layout_of(const char *name)
-{
-  int layout = 0;
-
-  while (layout < ORACLE_LAYOUTS && strcmp(name, oracle_layout_name[layout]) != 0)
-    layout++;
-  if (layout == ORACLE_LAYOUTS) {
-    fprintf(stderr, "random: %s: expected l1, l2 or li1 to li5\n", name);
-    exit(2);
-  }
-  return layout;
-}
-
 int main(int argc, char **argv)
 {
   const char *command = argc > 1 ? argv[1] : "";
 
   if (strcmp(command, "gear") == 0 && argc > 2) {
-    const int layout = layout_of(argv[2]);
+    const int layout = read_layout(argv[2], argv[2]);
     const struct oracle_gear gear = changed(argc - 3, argv + 3);
 
     print_head();
@@ -225,7 +212,7 @@ int main(int argc, char **argv)
       fprintf(stderr, "random: %s: expected c_d above 0\n", argv[3]);
       return 2;
     }
-    const double growth = oracle_growth((enum oracle_layout)layout_of(argv[2]), &gear, c_d, 20000, &V);
+    const double growth = oracle_growth((enum oracle_layout)read_layout(argv[2], argv[2]), &gear, c_d, 20000, &V);
 
     printf("%.9g 1/s at V = %.9g m/s\n", growth, V);
     return 0;
