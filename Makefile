@@ -193,7 +193,7 @@ figures := fig06 fig07 fig09 fig10 fig12 fig13 fig14 fig15 filmstrip
 # beyond the paper, and not part of make figures
 parts_damping := planes search
 parts_transients := paper best
-parts_layouts := li3 li4 li5
+parts_layouts := li3 li4 li5 li6 li7
 parts_certify := l1 l2 li1 li2
 parts_sections := past tori elsewhere
 parts_sweeps := load map play hopf
@@ -238,7 +238,7 @@ fig13: ## Figure 13: boundary points and largest width, layout LI1
 fig14: ## Figure 14: Hopf curves for several k_s and b, layout LI2
 fig15: ## Figure 15: zero-shimmy regions and largest width, layout LI2
 filmstrip: ## solutions A and B of Figure 6 over a period: the gear from above and behind
-layouts: ## layouts LI3, LI4 and LI5: diagrams, boundary points, widths (docs/layouts.md)
+layouts: ## layouts LI3 to LI7: diagrams, boundary points, widths (docs/layouts.md)
 damping: ## least damping ratios of every layout, a minute (docs/damping.md)
 transients: ## peaks and settling times after a disturbance, four minutes more (docs/damping.md)
 networks: ## the best designs of every small network, an hour (docs/networks.md)

@@ -17,6 +17,7 @@
  *   0  onset: point 1 is where a closed Hopf curve is born, Im(conj(F_s ray) F_c) = 0
  *   1  equal: point 1 has the c_d of lo
  *   2  stationary: the width has an extremum over the compliance
+ *   3  equal above: point 1 has the c_d of hi
  * and for inert: c_d of hi less that of lo is width, so that a fold of the curve
  * is the extremum of the width over b.
  * With zeta > 0 the points bound the region of damping ratio above zeta.
@@ -49,7 +50,7 @@ enum boundary_slot {
 
 _Static_assert(PAR_POINT >= (int)MLG_SLOTS && PAR_SLOPE_1 + 1 == (int)MLG_BOUNDARY_SLOTS, "the gear's slots stay");
 
-enum closing { ONSET, EQUAL, STATIONARY };
+enum closing { ONSET, EQUAL, STATIONARY, EQUAL_ABOVE };
 
 /* Where one point stands. */
 struct boundary_point { double omega, V, c; };
@@ -139,6 +140,8 @@ static void boundary_equations(int ndim, const double u[], const double par[], d
   }
   if (ndim % 3 && (int)par[PAR_CLOSING] == EQUAL)
     f[3 * points] = u[2] - u[3 * points - 4];
+  if (ndim % 3 && (int)par[PAR_CLOSING] == EQUAL_ABOVE)
+    f[3 * points] = u[2] - u[3 * points - 1];
   if (stationary)
     f[3 * points] = 1e-5 * width_slope(&both, points, u, points - 2);
   if (ndim % 3 == 2)

@@ -41,29 +41,34 @@ to_damping_ratio() { # RUN LAYOUT U ZETA [PARAMETER=VALUE ...]
 
 # The widest interval over k_s, followed in b: a run $figure.width.PREFIXn for each
 # stretch of b with one limit (mlg limits), to where the event that ends it passes zero, or
-# to where another interval becomes the wider; there that one is followed back.  Runs
-# report the multiples of 10, and where the width is largest.
+# to where another interval becomes the wider or another limit is met; there that one is
+# followed back, as is one before which there is none, to a width of 100.  Runs report the
+# multiples of 10, and where the width is largest.
 follow_widths() { # LAYOUT [PREFIX]
-  local layout=$1 prefix=$figure.width.${2:-} number to at peak limit constants event start settings stop took_over=''
+  local layout=$1 prefix=$figure.width.${2:-} number from to at peak limit constants event start settings stop back='' ended=0
   made "stretches.$layout" build/bin/mlg -- build/bin/mlg limits "$layout" stretches tolerance=0.02
   : > "build/tables/widths.$layout"
-  while IFS=, read -r number _ to at peak limit constants event start; do
-    if ! [[ $number =~ ^[0-9]+$ ]] || [ -z "$constants" ]; then continue; fi
+  while IFS=, read -r number from to at peak limit constants event start; do
+    [[ $number =~ ^[0-9]+$ ]] || continue
+    [ "$from" = "$ended" ] || back="'width': 100.0" # there was no interval before
+    ended=$to
+    [ -n "$constants" ] || continue
     start=${start#\"} start=${start%\"}
     settings=("$constants" model="$layout.boundary" "$start" b="$at")
     case $limit in
       onset) settings+=(closing=0) ;;
       equal) settings+=(closing=1) ;;
+      'equal above') settings+=(closing=3) ;;
       stationary) settings+=(closing=2 DSMAX=0.01) ;;
     esac
-    if [ -n "$took_over" ]; then
-      run "$prefix$number.back" "${settings[@]}" DS=-0.001 UZSTOP="{'b': $took_over}" -- UZ=1
+    if [ -n "$back" ]; then
+      run "$prefix$number.back" "${settings[@]}" DS=-0.001 UZSTOP="{$back}" -- UZ=1
       echo "$prefix$number.back" >> "build/tables/widths.$layout"
-      took_over=''
+      back=''
     fi
     case $event in
       b) stop="'b': $to" ;;
-      wider) stop="'b': 300.0" settings+=(RL1="$to") took_over=$(awk "BEGIN { printf \"%.3f\", $to + 5e-4 }") ;;
+      wider) stop="'b': 300.0" settings+=(RL1="$to") back=$(awk "BEGIN { printf \"'b': %.3f\", $to + 5e-4 }") ;;
       *) stop="'b': 300.0, '$event': 0.0" ;;
     esac
     run "$prefix$number" "${settings[@]}" DS=0.001 UZSTOP="{$stop, 'width': 100.0}" \

@@ -18,9 +18,10 @@ static double of_point(const struct run_data *data, long at, const char *what, i
 /* By the parameter closing: what ends the growth of the width over k_s. */
 static const char *limit_of(double closing)
 {
-  static const char *const limits[] = { "onset of the delta region", "BP2_u reaches the lower bound", "none: the width is stationary" };
+  static const char *const limits[] = { "onset of the delta region", "BP2_u reaches the lower bound", "none: the width is stationary",
+                                        "another region reaches the upper bound" };
 
-  return closing >= 0. && closing < 3. ? limits[(int)closing] : "";
+  return closing >= 0. && closing < 4. ? limits[(int)closing] : "";
 }
 
 static void add_row(struct text *out, const struct run_data *data, long at, const char *prefix, const char *b)

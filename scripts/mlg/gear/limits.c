@@ -42,6 +42,13 @@ static int is_near(const struct libmlg_point *p, const struct libmlg_point *q)
   return p->kind == q->kind && fabs(p->omega - q->omega) < 0.05 * p->omega && fabs(p->V - q->V) < 0.1 * (p->V + q->V);
 }
 
+/* Two of equal c_d, of which either may have come out as the bound. */
+static int is_pair(const struct libmlg_point *p, const struct libmlg_point *third, const struct libmlg_point *q,
+                   const struct libmlg_point *other)
+{
+  return (is_near(p, q) && is_near(third, other)) || (is_near(p, other) && is_near(third, q));
+}
+
 /* Whether the description goes on from p to q. */
 static int goes_on(const struct libmlg_widest *p, const struct libmlg_widest *q)
 {
@@ -49,12 +56,11 @@ static int goes_on(const struct libmlg_widest *p, const struct libmlg_widest *q)
     return 0;
   if (p->limit == LIBMLG_NO_INTERVAL || p->limit == LIBMLG_UNBOUNDED)
     return 1;
-  if (!is_near(&p->interval.hi, &q->interval.hi))
-    return 0;
-  if (p->limit == LIBMLG_EQUAL_LO) /* either of the two may have come out as the bound */
-    return (is_near(&p->interval.lo, &q->interval.lo) && is_near(&p->third, &q->third))
-           || (is_near(&p->interval.lo, &q->third) && is_near(&p->third, &q->interval.lo));
-  return is_near(&p->interval.lo, &q->interval.lo);
+  if (p->limit == LIBMLG_EQUAL_LO)
+    return is_near(&p->interval.hi, &q->interval.hi) && is_pair(&p->interval.lo, &p->third, &q->interval.lo, &q->third);
+  if (p->limit == LIBMLG_EQUAL_HI)
+    return is_near(&p->interval.lo, &q->interval.lo) && is_pair(&p->interval.hi, &p->third, &q->interval.hi, &q->third);
+  return is_near(&p->interval.lo, &q->interval.lo) && is_near(&p->interval.hi, &q->interval.hi);
 }
 
 static void add_node(struct job *j, const struct node *node)
@@ -189,8 +195,9 @@ static int print_point(int i, const struct libmlg_point *p)
   return i + 1;
 }
 
-/* What passes zero where the stretch ends: a result of models/boundary.h, or NULL when
- * another interval, far from this one, becomes the wider. */
+/* What passes zero where the stretch ends: a result of models/boundary.h, or NULL: another
+ * interval, far from this one, becomes the wider, or another limit, of which this one knows
+ * nothing, is met first. */
 static const char *event_between(const struct libmlg_widest *w, const struct libmlg_widest *next)
 {
   const int same_lo = is_near(&w->interval.lo, &next->interval.lo) || is_near(&w->third, &next->interval.lo)
@@ -259,7 +266,7 @@ static void print_stretch(struct job *j, int number, int first, int last)
   const char *event = next ? event_between(&end->w, next) : "b";
   const double peak = peak_of(j, first, last);
   const int with_rival = event && strcmp(event, "rival") == 0;
-  struct libmlg_point lo = w->interval.lo, third = w->third;
+  struct libmlg_point lo = w->interval.lo, hi = w->interval.hi, third = w->third;
   int i = 1;
 
   if (w->limit == LIBMLG_NO_INTERVAL || w->limit == LIBMLG_UNBOUNDED)
@@ -268,14 +275,17 @@ static void print_stretch(struct job *j, int number, int first, int last)
   if (!isnan(peak))
     printf("%.3f", peak);
   printf(",%s,", limit_name(w->limit));
-  if ((w->limit != LIBMLG_ONSET && w->limit != LIBMLG_EQUAL_LO && w->limit != LIBMLG_STATIONARY)
-      || w->interval.lo.kind != LIBMLG_LARGEST || w->interval.hi.kind != LIBMLG_LEAST) {
+  if (w->limit == LIBMLG_RIGID || w->limit == LIBMLG_SOFT || w->interval.lo.kind != LIBMLG_LARGEST || w->interval.hi.kind != LIBMLG_LEAST) {
     printf(",,\n"); /* none of the conditions of models/boundary.h */
     return;
   }
   if (w->limit == LIBMLG_EQUAL_LO && lo.delta_over_psi > third.delta_over_psi) {
     lo = w->third; /* by the delta region is meant: point 1 is its top */
     third = w->interval.lo;
+  }
+  if (w->limit == LIBMLG_EQUAL_HI && hi.delta_over_psi > third.delta_over_psi) {
+    hi = w->third;
+    third = w->interval.hi;
   }
   if (w->limit == LIBMLG_STATIONARY)
     third = below(j, node);
@@ -287,7 +297,7 @@ static void print_stretch(struct job *j, int number, int first, int last)
     i = print_point(i, &rival);
   }
   i = print_point(i, &lo);
-  print_point(i, &w->interval.hi);
+  print_point(i, &hi);
   printf(", 'kappa': %.12g}\"\n", 1e5 / w->k_s);
 }
 
@@ -368,7 +378,8 @@ const struct command command_limits = {
     "  stretch, b_from, b_to, b_start, limit; b_peak: where the width is largest inside\n"
     "  constants   boundary.width or boundary.rival; empty: AUTO has no condition for it\n"
     "  event       what passes zero where the stretch ends (models/boundary.h); wider: at b_to\n"
-    "              another interval becomes the wider; b: at b_to the range ends\n"
+    "              another interval becomes the wider, or another limit is met first; b: at\n"
+    "              b_to the range ends\n"
     "  U           the unknowns at b_start, as one word for `mlg run`\n",
   .run = run,
 };
