@@ -75,11 +75,11 @@ column() { # NAME of widths.csv, for the row LAYOUT B
 
 # cases N [SEED]: lines LAYOUT K_S B; of every layout in turn
 cases() {
-  awk -v n="$1" -v seed="${2:-408}" 'BEGIN {
+  awk -v n="$1" -v seed="${2:-408}" -v all="$(layouts | xargs)" 'BEGIN {
     srand(seed)
-    split("l1 l2 li1 li2 li3 li4 li5", layout, " ")
+    of = split(all, layout, " ")
     for (i = 0; i < n; i++) {
-      name = layout[i % 7 + 1]
+      name = layout[i % of + 1]
       k_s = 1e5 / (0.02 + 0.25 * rand())
       printf "%s %s %.6g\n", name, (name == "l1" ? "1e30" : sprintf("%.8g", k_s)), (name ~ /^l[12]$/ ? 0 : 200 * rand()) }
   }'
@@ -92,15 +92,16 @@ words() {
 
 ## The algebra against eigenvalues
 
-@test "boundary points at 70 random (layout, k_s, b) are extrema by the eigenvalues" {
+@test "boundary points at 72 random (layout, k_s, b) are extrema by the eigenvalues" {
   local layout k_s b n=0
   rm -f all.*
+  # at a c_d of nearly 0 beside an inerter's antiresonance neither has the digits
   while read -r layout k_s b; do
     # shellcheck disable=SC2046 # words
     mlg boundary "$layout" $(words "$k_s" "$b" "$layout") |
-      awk -F, -v k_s="$k_s" -v b="$b" '$4 == "max" || $4 == "min" { print $1, $2, k_s, b }' >>"all.$layout"
-  done < <(cases 70)
-  for layout in l1 l2 li1 li2 li3 li4 li5; do
+      awk -F, -v k_s="$k_s" -v b="$b" '($4 == "max" || $4 == "min") && $1 > 0.1 { print $1, $2, k_s, b }' >>"all.$layout"
+  done < <(cases 72)
+  for layout in $(layouts); do
     # with Debian's plain LAPACK the eigenvalues give one of 3.8e6 N m s/rad to 1.3e-9 only
     are_folds "$layout" 3e-9 <"all.$layout"
     n=$((n + $(wc -l <"all.$layout")))
@@ -125,7 +126,7 @@ words() {
     [ "$(wc -l <ours)" -eq "$(wc -l <oracle)" ]
     [ ! -s ours ] || paste -d ' ' ours oracle | near_each 1e-9 "c_d at V = $V of $layout ${words[*]}"
     m=$((m + $(wc -l <ours)))
-  done < <(cases 14 7)
+  done < <(cases 18 7)
   echo "$m points"
   [ "$m" -ge 40 ]
 }
@@ -450,12 +451,12 @@ intervals() {
 @test "each interval of widths.csv has no Hopf point inside and the named bounds" {
   local layout b k_s c_lo c_hi c_d n=0
   awk -F, '!/^#/ && $1 != "layout" && $6 > 200' results/widths.csv >wide
-  for layout in li1 li2 li3 li4 li5; do
+  while read -r layout; do
     # b where limits change is printed to 8 digits: 5e-7 in c_d
-    awk -F, -v layout=$layout '$1 == layout { print $4, $7, $3, $2; print $5, $8, $3, $2 }' wide >points
-    folds $layout <points >oracle
+    awk -F, -v layout="$layout" '$1 == layout { print $4, $7, $3, $2; print $5, $8, $3, $2 }' wide >points
+    folds "$layout" <points >oracle
     paste -d ' ' <(cut -d ' ' -f 1 points) <(cut -d ' ' -f 1 oracle) | near_each 5e-7 "bound of $layout"
-  done
+  done < <(awk -F, '!seen[$1]++ { print $1 }' wide)
   while IFS=, read -r layout b k_s c_lo c_hi _; do
     n=$((n + 1))
     while read -r c_d; do
@@ -469,7 +470,7 @@ intervals() {
 @test "no wider interval is to be had over k_s" {
   local layout b
   for case in "li1 0" "li1 20" "li1 40" "li1 60" "li1 100" "li1 140" "li1 170" "li1 190" "li2 50" "li2 140" "li2 300" \
-    "li3 30" "li3 60" "li4 140" "li5 30" "li5 110"; do
+    "li3 30" "li3 60" "li4 140" "li5 30" "li5 110" "li6 60" "li6 140" "li6 270" "li7 30" "li7 40" "li7 70"; do
     read -r layout b <<< "$case"
     near "$(column width "$layout" "$b")" "$(cell width widest "$layout" b="$b")" 1e-6 "width of $layout at b = $b"
   done
@@ -506,6 +507,15 @@ intervals() {
   near "$(fold li1 26.6 "$c_lo" b="$b" k_s="$k_s" | cut -d ' ' -f 1)" "$(fold li1 4.96 "$c_lo" b="$b" k_s="$k_s" | cut -d ' ' -f 1)" 1e-6 "third psi region"
   [ "$(column lower li1 140)" = BP1 ]
   [ "$(column lower li1 150)" = psi3 ]
+}
+
+@test "where another region reaches the upper bound of LI6 both have its c_d" {
+  local b k_s c_hi
+  for b in 80 140 240; do
+    k_s=$(column k_s li6 "$b") c_hi=$(column c_hi li6 "$b")
+    [ "$(column limit li6 "$b")" = 'another region reaches the upper bound' ]
+    near "$(fold li6 21.3 "$c_hi" b="$b" k_s="$k_s" | cut -d ' ' -f 1)" "$(fold li6 "$(column V_hi li6 "$b")" "$c_hi" b="$b" k_s="$k_s" | cut -d ' ' -f 1)" 1e-6 "c_d at b = $b"
+  done
 }
 
 @test "LI1 and LI2 without inerter have the Hopf points of L2, and L2 with a rigid k_s those of L1" {

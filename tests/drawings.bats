@@ -1,8 +1,6 @@
 # drawings.bats - docs/drawings: the gear, and each layout's device from its network
 
-setup() { cd "$BATS_TEST_DIRNAME/.." || return; }
-
-layouts() { grep -l '^#include "plugin.h"' models/*.c | sed 's|.*/||; s|\.c$||'; }
+setup() { . "$BATS_TEST_DIRNAME/../scripts/auto/tools.sh"; }
 
 @test "the committed drawings are those of the source" {
   local layout

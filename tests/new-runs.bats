@@ -142,10 +142,6 @@ is_picture() { # FILE
 
 ## Parameters
 
-layouts() {
-  grep -l '^#include "plugin.h"' models/*.c | sed 's|.*/||; s|\.c$||'
-}
-
 # Name and default of each parameter of a layout that is not on an axis; k_s and b where
 # its device has them; without those of laws (joints.bats) and doubts (doubts.bats)
 parameters() { # LAYOUT

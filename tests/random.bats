@@ -26,7 +26,7 @@ oracle() {
 
 @test "60 random gears in every layout: no interval missed, none invented" {
   run -0 --separate-stderr compare 60
-  [[ ${lines[0]} =~ ^60\ gears,\ 420\ answers ]]
+  [[ ${lines[0]} =~ ^60\ gears,\ 540\ answers ]]
   [[ ${lines[1]} =~ ^missed\ 0,\ invented\ 0,\ oracle\ wrong\ 0,\ undecided\ 0,\ refused\ 0 ]]
 }
 

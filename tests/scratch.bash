@@ -7,6 +7,7 @@ scratch() {
   export ROOT SCRATCH MLG_BUILT=yes
   unset MAKEFLAGS MFLAGS MAKELEVEL AUTO_DIR AUTO_TARBALL
   . "$(realpath "$BATS_TEST_DIRNAME")/../scripts/auto/tools.sh"
+  export -f layouts
   ROOT=$PWD
   SCRATCH=$ROOT/build/tests/$1
   rm -rf "$SCRATCH"

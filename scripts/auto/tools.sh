@@ -11,5 +11,8 @@ export LC_ALL=C OMP_NUM_THREADS=1
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." || exit
 case $PATH in "$PWD/build/tools":*) ;; *) export PATH="$PWD/build/tools:$PATH" ;; esac
 
+# Every layout: the models that end by including plugin.h, as the Makefile finds them.
+layouts() { grep -l '^#include "plugin.h"' models/*.c | sed 's|.*/||; s|\.c$||'; }
+
 # How many jobs run side by side: nproc alone heeds OMP_NUM_THREADS.
 processors() { env -u OMP_NUM_THREADS nproc; }

@@ -55,6 +55,8 @@ collect() {
   replace "$file"
 }
 
+beyond=$(sed -n 's/^parts_layouts := //p' Makefile)
+
 collect special_points points \
   "# Special points of AUTO's runs. V m/s, c_d N m s/rad, k_s N m/rad (inf: rigid), b N m s^2/rad," \
   "# frequency_hz Hz, psi_max deg, dstar_max m (orbits only). type: HB Hopf, HH double Hopf, TR torus," \
@@ -69,14 +71,14 @@ collect boundary_points boundary \
   "# of the high one, BP2_l and BP2_u bottom and top of a delta region, psi3 top of a third psi region, onset: birth" \
   "# of a delta region, meet: of two psi regions' meeting; type LP there. Every second point of AUTO's." \
   layout,b,curve,name,type,k_s,c_d,V,frequency_hz,extremum,shimmy \
-  -- l2=fig10 li1=fig13 li2=fig15 li3,li4,li5,li6,li7=layouts
+  -- l2=fig10 li1=fig13 li2=fig15 "${beyond// /,}=layouts"
 
 collect widths widths \
   "# The widest zero-shimmy interval over k_s: b N m s^2/rad, k_s N m/rad, c_lo to c_hi and width N m s/rad, V_lo and" \
   "# V_hi m/s at the bounds, lower and upper: which boundary point bounds it, limit: what ends its growth over k_s." \
   "# Between the multiples of 10 stand the b where limit or lower change hands; each interval is tested by Routh." \
   layout,b,k_s,c_lo,c_hi,width,V_lo,V_hi,lower,upper,limit \
-  -- li1=fig13 li2=fig15 li3,li4,li5,li6,li7=layouts
+  -- li1=fig13 li2=fig15 "${beyond// /,}=layouts"
 
 read -ra figures < <(sed -n 's/^figures := //p' Makefile)
 for figure in "${figures[@]}"; do

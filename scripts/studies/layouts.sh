@@ -16,7 +16,7 @@
 # Where the diagrams are: beside the largest width; LI4, which has none, at LI2's b.
 declare -A b=([li3]=29 [li4]=140 [li5]=100 [li6]=250 [li7]=27)
 declare -A k_s=([li3]=7.16e5 [li4]=2.38e6 [li5]=5.35e5 [li6]=5.48e5 [li7]=6.48e5)
-readonly layouts="li3 li4 li5 li6 li7"
+beyond=$(sed -n 's/^parts_layouts := //p' Makefile)
 # Of LI6 a second psi mode, of 3 to 4 Hz, shimmies there.
 declare -A HB=([li6]=3) branches=([li6]="shimmy slow")
 
@@ -41,14 +41,14 @@ runs_li7() { diagrams_of li7; follow_widths li7 li7.; }
 tables() {
   local layout branch
   begin_diagrams "# Hopf curves beside the largest width; panel: the layout." results/layouts_planes.csv
-  for layout in $layouts; do curve_rows "$layout,${b[$layout]},${k_s[$layout]}," "layouts.$layout"; done
+  for layout in $beyond; do curve_rows "$layout,${b[$layout]},${k_s[$layout]}," "layouts.$layout"; done
   end_table
 
   begin_table results/layouts_branches.csv \
     "# Shimmy at c_d = 3.6e4 N m s/rad and the b and k_s of layouts_planes.csv, a branch after another. V m/s; psi_max deg; dstar_max m;" \
     "# stable: 1 yes, 0 no (a bifurcation point: 1); type: HB Hopf, TR torus, LP fold" \
     layout,branch,type,V,psi_max,dstar_max,stable
-  for layout in $layouts; do
+  for layout in $beyond; do
     points "layouts,$layout" "layouts.$layout.straight"
     branch_rows "$layout" straight straight every=50
     for branch in ${branches[$layout]:-shimmy}; do
@@ -59,7 +59,7 @@ tables() {
   end_table
 
   begin_regions
-  for layout in $layouts; do
+  for layout in $beyond; do
     boundary_points layouts "$layout" "${b[$layout]}"
     [ "$layout" != li6 ] || no_interval li6 50
     width_rows "$layout"
