@@ -327,7 +327,7 @@ checked_cc = $(CC) $(TEST_CFLAGS) -Imodels -Imodels/libmlg -Ibuild/libmlg -c
 mlg_reader = $(patsubst %,scripts/mlg/auto/%.c,text autofile autonumber autostability autosolution branch ending judge judgehopf judgepoints sums)
 build/tests/autofile: with = $(mlg_reader) build/tests/libmlg.a $(lapack)
 build/tests/autofile: $(mlg_reader) $(wildcard scripts/mlg/*/*.h) build/tests/libmlg.a
-mlg_constants = $(patsubst %,scripts/mlg/auto/%.c,text autonumber constants conchecks)
+mlg_constants = $(patsubst %,scripts/mlg/auto/%.c,text autonumber constants conchecks units)
 build/tests/constants: with = $(mlg_constants) build/tests/libmlg.a
 build/tests/constants: $(mlg_constants) scripts/mlg/auto/conparse.c scripts/mlg/gear/gearfile.c $(wildcard scripts/mlg/*/*.h) build/tests/libmlg.a
 

@@ -354,6 +354,10 @@ EOF
     run -2 mlg explore $words
     [[ "$output" == "mlg explore: '${words##* }': all "*" are searched; to begin at a design give its c_d as well" ]]
   done
+  for words in F_z=2e5 M=2e4; do
+    run -2 mlg explore l1 load $words
+    [ "$output" = "mlg explore: '$words': the search for the largest load is over all loads" ]
+  done
   run -2 mlg explore 'k_d|(c_d-c_2=300)' free=c_2 free=c_2
   [ "$output" = "mlg explore: 'free=c_2': given already" ]
   run -2 mlg explore l1 zeta zeta
@@ -365,6 +369,7 @@ EOF
   run -1 mlg deltamode M=1e6
   [ "$output" = "mlg deltamode: delta does not oscillate: the load takes all of k_delta's stiffness away" ]
   [ "$(mlg explore l1 load starts=1 c_delta=0 c_psi=0 | wc -l)" -eq 2 ] # no load, no row
-  near "$(mlg explore l1 load starts=1 M=0 | awk -F, '$1 == "load" { print $2 }')" \
+  echo "PAR = {'M': 0.0}" > light.gear
+  near "$(mlg explore l1 load starts=1 gear=light.gear | awk -F, '$1 == "load" { print $2 }')" \
     "$(mlg explore l1 load starts=1 | awk -F, '$1 == "load" { print $2 }')" 1e-4 load
 }

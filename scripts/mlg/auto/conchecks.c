@@ -7,6 +7,7 @@
 #include "libmlg.h"
 #include "mlg.h"
 #include "conparts.h"
+#include "units.h"
 
 /* AUTO-07p 0.9.2, manual chapters 10 and 20.  form: 'i' a whole number from least to
  * most, 'r' a number, '+' a number above 0, 'l' a list, 'd' a dictionary, 'n' one of
@@ -111,21 +112,6 @@ static void check_name(struct constants *c, const struct entry *e, const char *t
   if (is_slot(name, &slot) || has_name(parnames, name) || (kind == 'u' && has_name(unames, name)))
     return;
   bad_input(c, c->file, e->line, "%s: '%s' is not a name of %s", e->key, name, kind == 'u' ? "unames" : "parnames");
-}
-
-/* The meaning of a result of models/mlg.h, or NULL. */
-static const char *result(const char *name)
-{
-  static const struct { const char *name, *meaning; } results[] = {
-#define X(slot, id, name, unit, meaning) { name, meaning },
-    MLG_RESULTS(X)
-#undef X
-  };
-
-  for (size_t i = 0; i < sizeof results / sizeof *results; i++)
-    if (strcmp(name, results[i].name) == 0)
-      return results[i].meaning;
-  return NULL;
 }
 
 /* Whether text names points by type, and perhaps by number: HB, HB2. */
@@ -271,8 +257,8 @@ static void check_names(struct constants *c, const struct entry *e, const struct
     const int continued = strcmp(e->key, "ICP") == 0 && k <= curve;
 
     check_name(c, e, name, parnames, unames, constant->names);
-    if ((set || continued) && result(name))
-      bad_input(c, c->file, e->line, "%s: %s is a result (%s); it cannot be %s", e->key, name, result(name),
+    if ((set || continued) && result_of(name))
+      bad_input(c, c->file, e->line, "%s: %s is a result (%s); it cannot be %s", e->key, name, result_of(name)->meaning,
                 set ? "set" : "continued");
     if (continued && p && layout != LIBMLG_NONE && !has_parameter(layout, p))
       bad_input(c, c->file, e->line, "ICP: the device of %s has no %s; it cannot be continued", use->layout, name);

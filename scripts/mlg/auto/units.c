@@ -9,10 +9,21 @@
 
 struct unit { const char *name, *unit; };
 
-static const struct unit results[] = {
-#define X(slot, id, name, unit, meaning) { name, unit },
+static const struct result results[] = {
+#define X(slot, id, name, unit, meaning) { name, unit, meaning },
   MLG_RESULTS(X)
 #undef X
+};
+
+const struct result *result_of(const char *name)
+{
+  for (size_t i = 0; i < sizeof results / sizeof *results; i++)
+    if (strcmp(name, results[i].name) == 0)
+      return &results[i];
+  return NULL;
+}
+
+static const struct unit others[] = {
   { "period", "s" }, { "PERIOD", "s" }, { "torus_angle", "rad" },
   /* of models/boundary.h */
   { "compliance", "1e-5 rad/(N m)" }, { "zeta", "-" }, { "width", "N m s/rad" },
@@ -32,9 +43,11 @@ const char *unit_of(const char *name)
   p = mlg_find(name, strlen(name));
   if (p)
     return p->unit;
-  for (size_t i = 0; i < sizeof results / sizeof *results; i++)
-    if (strcmp(name, results[i].name) == 0)
-      return results[i].unit;
+  if (result_of(name))
+    return result_of(name)->unit;
+  for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+    if (strcmp(name, others[i].name) == 0)
+      return others[i].unit;
   for (size_t i = 0; i < sizeof numbered / sizeof *numbered; i++) {
     const size_t n = strlen(numbered[i].name);
 

@@ -112,6 +112,10 @@ static int run(int argc, char *argv[])
       take_word(&a, argv[i]);
   end_arguments(&a);
   refuse_given(&a, NUMBER_V, "the search is over all speeds");
+  const char *const load = a.F_z_word ? a.F_z_word : a.word[NUMBER_M];
+
+  if (first > 2 && asked[LOAD] && load && load != a.gear_word)
+    refuse(argv[0], load, "the search for the largest load is over all loads");
   if (!a.word[NUMBER_C_D]) {
     refuse_given(&a, NUMBER_K_S, "all k_s are searched; to begin at a design give its c_d as well");
     refuse_given(&a, NUMBER_B, "all b up to b_most are searched; to begin at a design give its c_d as well");
@@ -159,7 +163,7 @@ const struct command command_explore = {
   .usage = "LAYOUT [QUANTITY ...] [NAME=VALUE ...] [free=NAME] [begin=FILE] [b_most=300] [starts=12]",
   .summary = "the best designs of a layout or network, by repeated starts",
   .details =
-    "QUANTITY: zeta, width, ratio, load, tolerance; all of them without.  k_s from 1e4 (from k_d,\n"
+    "QUANTITY: zeta, width, ratio, load (over all F_z), tolerance; all of them without.  k_s from 1e4 (from k_d,\n"
     "where k_s alone carries a static torque) to 1e9 N m/rad, b from 0 to b_most and c_d from 10 to\n"
     "1e7 N m s/rad: climbs by the slopes of the modes, or of the corners, that limit a design\n"
     "(models/libmlg/climb.h) from random places, each at its best c_d, and from the designs that were\n"

@@ -5,6 +5,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "designs.h"
 #include "names.h"
 
 enum { MOST_WORDS = 256, MOST_MODES = 8 };
@@ -18,10 +19,9 @@ static const char *richest(void)
   return "l1";
 }
 
-/* A rigid k_s is "inf", as in every table. */
 static double as_shown(int n, double value)
 {
-  return n == NUMBER_K_S && value >= MLG_RIGID ? INFINITY : value;
+  return n == NUMBER_K_S ? shown_k_s(value) : value;
 }
 
 static void print_parameters(const struct arguments *a)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "mlg.h"
+#include "units.h"
 
 /* "m/s", "N m s/rad", "1e-5 rad/(N m)", "-": no other words than these. */
 static bool is_unit(const char *text, size_t n)
@@ -39,15 +40,10 @@ static int kept_as(const struct step *step, const char *name, size_t length)
 /* V, psi_max and the like are called so, and in these units, by every command. */
 static const char *unit_everywhere(const char *name)
 {
-  static const struct { const char *name, *unit; } results[] = {
-#define X(slot, id, name, unit, meaning) { name, unit },
-    MLG_RESULTS(X)
-#undef X
-  };
+  const struct result *const result = result_of(name);
 
-  for (size_t i = 0; i < sizeof results / sizeof *results; i++)
-    if (strcmp(results[i].name, name) == 0)
-      return strcmp(results[i].unit, "-") == 0 ? NULL : results[i].unit;
+  if (result)
+    return strcmp(result->unit, "-") == 0 ? NULL : result->unit;
   return parameter_unit(name);
 }
 
