@@ -19,12 +19,12 @@ do for [ending in "png svg"] {
     set tmargin at screen 0.95 - 0.49*y; set bmargin at screen 0.57 - 0.49*y
     unset xlabel; unset ylabel; unset title; unset key
     do for [k=1:2] {
-      do for [p=1:4] {
-        set contour base; unset surface; set cntrparam levels discrete (p == 4 ? 2 : log10(1 + 0.1/play[p]))
+      do for [p=1:3] {
+        set contour base; unset surface; set cntrparam levels discrete log10(1 + 0.1/play[p])
         set autoscale
         if (k == 1 && p == 1) { set table $b1 }; if (k == 1 && p == 2) { set table $b2 }; if (k == 1 && p == 3) { set table $b3 }
-        if (k == 1 && p == 4) { set table $grows }; if (k == 2 && p == 1) { set table $c1 }; if (k == 2 && p == 2) { set table $c2 }
-        if (k == 2 && p == 3) { set table $c3 }; if (k == 2 && p == 4) { continue }
+        if (k == 2 && p == 1) { set table $c1 }; if (k == 2 && p == 2) { set table $c2 }
+        if (k == 2 && p == 3) { set table $c3 }
         splot table(by[k], layout, column_of[k]) using 1:(log10($2)):(level($4, strcol(3)))
         unset table
       }
@@ -40,7 +40,7 @@ do for [ending in "png svg"] {
          $b1 using 1:2 with lines lw 1.4 dt (5,3) lc rgb shade[1], $b2 using 1:2 with lines lw 1.4 dt (5,3) lc rgb shade[2], \
          $b3 using 1:2 with lines lw 1.4 dt (5,3) lc rgb shade[3], \
          NaN with lines lw 1.4 dt (5,3) lc rgb shade[2] title "the same by describing functions", \
-         $grows using 1:2 with lines ls 3 title "without play: shimmy begins"
+         picked(sprintf("results/joints_planes_hopf.csv where=layout=%s blocks=piece columns=V,c_d", layout)) using 1:(log10($2)) with lines ls 3 title "without play: shimmy begins"
     unset key
   }
   unset multiplot

@@ -5,7 +5,7 @@
 #   scripts/studies/joints.sh runs [cycles | play | planes | friction | thresholds | dampers | starts] | tables | draw
 #
 # Needs:  results/damping.csv
-# Writes: results/joints.csv, joints_play.csv, joints_planes.csv, joints_planes_cycles.csv,
+# Writes: results/joints.csv, joints_play.csv, joints_planes.csv, joints_planes_cycles.csv, joints_planes_hopf.csv,
 #         joints_friction.csv, joints_thresholds.csv, joints_device.csv, joints_dampers.csv,
 #         joints_quadratic.csv, joints_starts.csv; joints.png, joints_planes.png,
 #         joints_friction.png, joints_dampers.png, and .svg; build/tables/joints.*.csv
@@ -67,10 +67,31 @@ runs_cycles() { for_choices '' V=10:200:20 g_psi="$(rad 0.125):$(rad 1):8"; }
 # Psi over a play so small that the gear is linear
 runs_play() { for_choices small. V=5:200:40 g_psi="$(rad 0.02)"; }
 
+# The parts of the Hopf curves beside which the gear without play is stable: piece,V,c_d
+margin() { # WORD...
+  local number V c_d piece=0 last=
+  echo piece,V,c_d
+  mlg plane "$@" V_least=0.5 c_least=500 c_most=5e4 | awk -F, '($2 == "open" || $2 == "closed") && $4 == "" {
+      x = $5 / 200; y = log($6) / log(100) # in parts of the axes
+      if ($1 == number && (x - last_x) ^ 2 + (y - last_y) ^ 2 < 0.005 ^ 2) next
+      print $1, $5, $6; number = $1; last_x = x; last_y = y }' |
+    while read -r number V c_d; do
+      # its own mode is at the margin, to rounding
+      if mlg damping "$@" V="$V" c_d="$c_d" | awk -F, 'NR == 2 { exit !($1 > -1e-7) }'; then
+        [ "$last" = "$number" ] || piece=$((piece + 1))
+        echo "$piece,$V,$c_d"
+        last=$number
+      else
+        last=''
+      fi
+    done
+}
+
 runs_planes() {
   local layout k_s b c_d words
   for layout in $layouts; do
     words_of "$layout" middle
+    of margin "$layout" margin "${words[@]}"
     of plane "$layout" mlg joints "${words[@]}" g_psi="$(rad 0.1)" V=5:200:40 c_d=500:5e4:40
     of plane.cycles "$layout" mlg joints "${words[@]}" g_psi="$(rad 0.1)" V=10:200:20 c_d=500:5e4:21 cycles=1
   done
@@ -216,6 +237,13 @@ tables_of_planes() {
     "# integration as in joints.csv. 0: no cycle, inf: it grows without play, too, empty: no periodic orbit in 20 s." \
     layout,V,c_d,ratio,ratio_cycle
   for layout in $layouts; do over_play 0.1 plane.cycles "$layout" "$layout" V,c_d,psi,psi_cycle; done
+  replace "$table"
+
+  begin_table results/joints_planes_hopf.csv \
+    "# The Hopf curves of the plane without play, exactly (mlg plane), where shimmy begins: the parts beside which the gear is" \
+    "# stable. V m/s, c_d N m s/rad." \
+    layout,piece,V,c_d
+  for layout in $layouts; do take margin "$layout" "$layout" piece,V:.6g,c_d:.6g; done
   replace "$table"
 }
 
