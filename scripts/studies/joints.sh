@@ -69,17 +69,17 @@ runs_play() { for_choices small. V=5:200:40 g_psi="$(rad 0.02)"; }
 
 # The parts of the Hopf curves beside which the gear without play is stable: piece,V,c_d
 margin() { # WORD...
-  local number V c_d piece=0 last=
+  local number V at piece=0 last=
   echo piece,V,c_d
   mlg plane "$@" V_least=0.5 c_least=500 c_most=5e4 | awk -F, '($2 == "open" || $2 == "closed") && $4 == "" {
       x = $5 / 200; y = log($6) / log(100) # in parts of the axes
       if ($1 == number && (x - last_x) ^ 2 + (y - last_y) ^ 2 < 0.005 ^ 2) next
       print $1, $5, $6; number = $1; last_x = x; last_y = y }' |
-    while read -r number V c_d; do
+    while read -r number V at; do
       # its own mode is at the margin, to rounding
-      if mlg damping "$@" V="$V" c_d="$c_d" | awk -F, 'NR == 2 { exit !($1 > -1e-7) }'; then
+      if mlg damping "$@" V="$V" c_d="$at" | awk -F, 'NR == 2 { exit !($1 > -1e-7) }'; then
         [ "$last" = "$number" ] || piece=$((piece + 1))
-        echo "$piece,$V,$c_d"
+        echo "$piece,$V,$at"
         last=$number
       else
         last=''
