@@ -360,8 +360,8 @@ sample() { # N TABLE CONDITION (of awk): rows of results/TABLE.csv, others with 
   local layout V at k_s b n=0
   while IFS=, read -r layout _ V at; do
     middle "$layout"
-    [ "$layout" != l1 ] || words=(l1)
-    "$ROOT/build/bin/eigen-$layout" eigenvalues "${words[@]:1}" V="$V" c_d="$at" | awk -v at="$layout at V = $V, c_d = $at" '
+    case $layout in l1) set -- ;; *) set -- "${words[@]:1}" ;; esac
+    "$ROOT/build/bin/eigen-$layout" eigenvalues "$@" V="$V" c_d="$at" | awk -v at="$layout at V = $V, c_d = $at" '
       NR == 2 || (NR > 2 && $1 > most) { most = $1 } END { if (!(NR > 5 && most ^ 2 < 1e-6)) { print at ": " most; exit 1 } }'
     n=$((n + 1))
   done < <(sample 8 joints_planes_hopf '$3 > 0')
