@@ -66,7 +66,7 @@
   X(agree)          /* auto/starts.c */ \
   X(stamp)          /* auto/uses.c */ \
   X(cases)          /* sweep/cases.c */ \
-  X(cell)           /* report/cell.c */ \
+  X(cell)           /* report/expression.c */ \
   X(pick)           /* report/pick.c */ \
   X(areas)          /* report/areas.c */ \
   X(targets)        /* report/targets.c */ \
