@@ -49,6 +49,34 @@ by_eigenvalues() { # LAYOUT PARAMETER...
   near "$(cell zeta damping li2 c_d=5e3 k_s=7.86e5 b=0)" "$(cell zeta damping l2 c_d=5e3 k_s=7.86e5)" 1e-9 "zeta of LI2 without inerter"
 }
 
+@test "what is nearly nothing, or nearly rigid, is nothing or rigid: no root far from the others spoils them" {
+  local layout words speck same
+  while read -r layout words speck same; do
+    # shellcheck disable=SC2086 # one word for each parameter
+    [ "$(mlg ${layout/,/ } ${words//,/ } $speck)" = "$(mlg ${layout/,/ } ${words//,/ } $same)" ] || { echo "$layout $words $speck"; false; }
+  done << 'EOF'
+damping,l1 V_top=200 c_d=1e-50 c_d=0
+damping,li1 c_d=6e3,k_s=7.86e5 b=1e-14 b=0
+intervals,li1 k_s=7.86e5 b=1e-14 b=0
+intervals,li5 k_s=7.86e5 b=1e-100 b=0
+intervals,li2 k_s=7.86e5 b=1e-40 b=0
+damping,li7 c_d=6e3,b=50 k_s=1e20 k_s=inf
+damping,li4 c_d=6e3,b=50 k_s=1e28 k_s=inf
+EOF
+  near "$(mlg eigenvalues li7 c_d=6e3 b=50 k_s=1e20 V=30 | awk -F, 'NR == 2 { print $1 }')" \
+    "$(mlg eigenvalues li7 c_d=6e3 b=50 V=30 | awk -F, 'NR == 2 { print $1 }')" 1e-9 "the growth of LI7 with k_s = 1e20"
+}
+
+@test "without c_d, or nearly so, the root at 0 is none that grows" {
+  local c_d layout zeta V
+  for layout in li6 'k_d|(c_d-b=100-k=7.86e5)'; do
+    for c_d in 0 1e-9 1e-6; do
+      read -r zeta V < <(mlg damping "$layout" c_d=$c_d $([ "$layout" != li6 ] || echo k_s=7.86e5 b=100) | awk -F, 'NR == 2 { print $1, $2 }')
+      near "$zeta" "$(by_eigenvalues li6 k_s=7.86e5 b=100 V="$V" c_d=1e-3)" 1e-5 "zeta of $layout at c_d = $c_d"
+    done
+  done
+}
+
 @test "zeta is 0 on Hopf points and changes its sign there" {
   local layout case V n=0
   for case in "l1 c_d=3.6e4" "l2 c_d=2e4 k_s=9e5" "li1 c_d=2e4 k_s=6e5 b=100" "li2 c_d=3e4 k_s=1e6 b=50"; do

@@ -209,6 +209,10 @@ corner_words() {
   printf '# nothing\n' > nothing
   printf 'c_d uniform 1\n' > short
   printf 'c_d uniform -5 2e3\n' > outside
+  printf 'k_t normal 7e5 1e13\n' > wide
+  printf 'F_z uniform 1e3 2e3\n' > light
+  printf 'm_D uniform 9e5 1e6\nF_z normal 2e5 1\n' > heavy
+  printf 'g_psi normal 0.01 0.001\n' > play
   while read -r slip; do
     # shellcheck disable=SC2086 # one word for each argument
     run --separate-stderr build/bin/mlg $slip
@@ -273,6 +277,10 @@ probability l2 c_d=5e3 k_s=inf spread=rigid
 probability l1 spread=nothing
 probability l1 spread=short
 probability l1 spread=outside
+probability l1 spread=wide
+probability l1 spread=light
+probability l1 spread=heavy
+probability l1 spread=play
 probability l1 spread=.
 END
 }

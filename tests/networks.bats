@@ -152,6 +152,12 @@ k_d|k=2
 k_d|k_2=|c_d
 k_d|k=-1|c_d
 k_d|k=1e31|c_d
+k_d|k=0.5|c_d
+k_d|b=1e-20|c_d
+k_d|c=inf|c_d
+k_d|b=1e10|c_d
+k_d|c_d|(b=1e29-b=1e29-c=1)
+k_d–c_d|c_d
 k_d|k=0x10|c_d
 k_d|k=nan|c_d
 |c_d
@@ -209,6 +215,7 @@ EOF
 @test "a file to begin at and an element to search that are not there, or not once, are told" {
   local words wrong
   printf 'k_s,b,c_lo\n1e6,2,3\n' > short
+  printf '\xef\xbb\xbfk_s,b,c_lo,c_hi\r\n1e6,y,3,4\r\n' > windows
   printf 'k_s,b,c_lo,c_hi\n1e6,x,3,4\n' > letters
   { echo k_s,b,c_lo,c_hi; yes 1e6,1,2,3 | head -n 39; } > many
   while IFS=: read -r words wrong; do
@@ -219,6 +226,7 @@ EOF
 explore li1 begin=missing:missing: No such file or directory
 explore li1 begin=short:short has no column c_hi; expected the columns that explore prints for this device
 explore li1 begin=letters:letters, row 1: 'x': expected a b of at least 0
+explore li1 begin=windows:windows, row 1: 'y': expected a b of at least 0
 explore li1 begin=many:39 designs; 38 are most
 explore li1 begin=many begin=many:given already
 explore l1 free=c_2:a layout has no elements but those of its parameters; give it as a network

@@ -177,6 +177,29 @@ int crossings_at_V(const struct crossing *x, double V, struct crossing_at out[])
   return n;
 }
 
+/* Takes a root out of p[0..n], n > 1, that is far below all others, of a damper or a speed of
+ * nearly 0: beside them its sign would be rounding.  0: there is none. */
+static double take_small_root(double p[T], int n)
+{
+  double size = fabs(p[1]), root = -p[0] / p[1];
+
+  for (int i = 2; i <= n; i++)
+    size += fabs(p[i]);
+  if (!(fabs(root) < 1e-6 * fabs(p[1]) / size)) /* the others are not below |p1|/size */
+    return 0.;
+  for (int i = 0; i < 3; i++) { /* p = 0 solved for its linear term */
+    double rest = 0.;
+
+    for (int k = n; k >= 2; k--)
+      rest = rest * root + p[k];
+    root = -(p[0] + rest * root * root) / p[1];
+  }
+  for (int i = n - 1; i >= 1; i--)
+    p[i] += root * p[i + 1];
+  memmove(p, p + 1, (size_t)n * sizeof *p);
+  return root;
+}
+
 int crossing_roots(const struct crossing *x, double V, double c, double re[], double im[])
 {
   double p[T];
@@ -189,7 +212,21 @@ int crossing_roots(const struct crossing *x, double V, double c, double re[], do
   }
   while (n > 0 && p[n] == 0.)
     n--;
-  return n == 0 || crossing_companion(p, n, re, im) != 0 ? -1 : n;
+  while (n > 0 && p[0] == 0.) { /* a root that is 0 neither grows nor dies */
+    memmove(p, p + 1, (size_t)n * sizeof *p);
+    n--;
+  }
+  const double small = n > 1 ? take_small_root(p, n) : 0.;
+
+  if (small != 0.)
+    n--;
+  if (n == 0 || crossing_companion(p, n, re, im) != 0)
+    return -1;
+  if (small != 0.) {
+    re[n] = small;
+    im[n++] = 0.;
+  }
+  return n;
 }
 
 double crossing_ratio(const struct crossing *x, double V, double c)

@@ -66,16 +66,24 @@ static const struct part *add_element(struct reader *r, const char *word, size_t
 
 static const char letters[] = "kcb"; /* in the order of enum part_kind */
 
+/* The same wide ranges as those of k_d, c_d and b in mlg.h, without what is nothing to rounding. */
+static const struct { double least, most; const char *text; } ranges[] = {
+  { 1., 1e12, "1 to 1e12 N m/rad" }, { 1e-6, 1e9, "1e-6 to 1e9 N m s/rad" }, { 1e-6, 1e9, "1e-6 to 1e9 N m s^2/rad" },
+};
+
 /* NAME=VALUE, value points behind the = */
 static const struct part *read_number(struct reader *r, const char *value)
 {
   char *end;
   const double number = strtod(value, &end);
+  const int kind = (int)(strchr(letters, *r->at) - letters), is_digit = isdigit((unsigned char)value[*value == '.']);
+  char right[80];
 
-  if (!isdigit((unsigned char)*value) || !(number > 0. && number < MLG_RIGID) || value[1] == 'x' || value[1] == 'X')
-    return wrong(r, "a number above 0 is expected behind the =");
-  return add_element(r, r->at, (size_t)(end - r->at),
-                     (struct part){ .kind = (enum part_kind)(strchr(letters, *r->at) - letters), .slot = -1, .value = number });
+  if (!is_digit || value[1] == 'x' || value[1] == 'X' || !(number >= ranges[kind].least && number <= ranges[kind].most)) {
+    snprintf(right, sizeof right, "a number from %s is expected behind the =", ranges[kind].text);
+    return wrong(r, right);
+  }
+  return add_element(r, r->at, (size_t)(end - r->at), (struct part){ .kind = (enum part_kind)kind, .slot = -1, .value = number });
 }
 
 static const struct part *read_group(struct reader *r);

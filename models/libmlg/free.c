@@ -23,7 +23,7 @@ int libmlg_is_free(int layout, const double par[], double zeta, double V_least, 
   double slots[MLG_SLOTS];
   struct crossing_at at[CROSSING_TERMS];
 
-  libmlg_slots(par, slots);
+  libmlg_slots_at_rest(par, slots);
   if (!is_question(l, slots, V_least, V_top))
     return LIBMLG_NONE;
   const struct crossing x = crossing_of(l, slots, zeta);
@@ -40,7 +40,7 @@ int libmlg_shimmy_speeds(int layout, const double par[], double V_least, double 
   struct crossing_at at[CROSSING_TERMS + 1];
   int n = 0;
 
-  libmlg_slots(par, slots);
+  libmlg_slots_at_rest(par, slots);
   if (!is_question(l, slots, V_least, V_top))
     return LIBMLG_NONE;
   const struct crossing x = crossing_of(l, slots, 0.);

@@ -136,10 +136,25 @@ void libmlg_slots(const double par[], double slots[MLG_SLOTS])
     slots[parameters[i].index] = par[i];
 }
 
+/* Elements that move no result in its tenth digit, but would put an eigenvalue so far from the
+ * others that these have no digits left in the same matrix, are none at all, or rigid. */
+static void without_specks(double slots[MLG_SLOTS])
+{
+  const double J = slots[PAR_J_ZETA], k = slots[PAR_K_PSI];
+
+  if (slots[PAR_B] < 1e-11 * J)
+    slots[PAR_B] = 0.;
+  if (slots[PAR_C_D] < 1e-12 * sqrt(J * k))
+    slots[PAR_C_D] = 0.;
+  if (slots[PAR_K_S] > 1e10 * k)
+    slots[PAR_K_S] = MLG_RIGID;
+}
+
 void libmlg_slots_at_rest(const double par[], double slots[MLG_SLOTS])
 {
   libmlg_slots(par, slots);
   mlg_at_rest(slots);
+  without_specks(slots);
 }
 
 const char *libmlg_lacks(const double par[])

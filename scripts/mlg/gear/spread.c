@@ -11,6 +11,8 @@
 #include "command.h"
 #include "designs.h"
 
+enum { MOST_TRIES = 100000 };
+
 struct line { const char *file; int number; };
 
 static _Noreturn void slip(const struct line *at, const char *format, ...)
@@ -52,6 +54,25 @@ static double most_of(int parameter)
   return parameter == LIBMLG_F_Z ? 1e9 : libmlg_most(parameter);
 }
 
+/* M of this load, F_z/g - m_D, is in its range. */
+static bool is_load(const double par[], double F_z)
+{
+  const double M = F_z / par[NUMBER_G] - par[NUMBER_M_D];
+
+  return M >= libmlg_least(NUMBER_M) && M <= libmlg_most(NUMBER_M);
+}
+
+static void check_value(const struct line *at, const struct arguments *a, int parameter, double x)
+{
+  const char *const name = quantity_name(parameter), *const unit = quantity_unit(parameter);
+
+  if (!(x >= least_of(parameter) && x <= most_of(parameter)))
+    slip(at, "%s = %g %s is outside its range, %g to %g", name, x, unit, least_of(parameter), most_of(parameter));
+  if (parameter == LIBMLG_F_Z && !is_load(a->par, x))
+    slip(at, "F_z = %g N makes M = F_z/g - m_D = %g kg, outside its range, %g to %g kg", x,
+         x / a->par[NUMBER_G] - a->par[NUMBER_M_D], libmlg_least(NUMBER_M), libmlg_most(NUMBER_M));
+}
+
 static struct spread read_line(const struct line *at, const struct arguments *a, char *text)
 {
   char name[64], kind[64], first[64], second[64], rest[2];
@@ -67,6 +88,8 @@ static struct spread read_line(const struct line *at, const struct arguments *a,
     slip(at, "V is the axis of the answer");
   if (s.parameter != LIBMLG_F_Z && !libmlg_uses(a->layout, s.parameter))
     slip(at, "layout %s has no %s", libmlg_layout_name(a->layout), name);
+  if (s.parameter >= NUMBER_G_PSI && s.parameter <= NUMBER_K_D3)
+    slip(at, "%s: play, friction and the other laws of joints have no part in straight rolling; spread the gear's parameters", name);
   s.normal = strcmp(kind, "normal") == 0;
   if (!s.normal && strcmp(kind, "uniform") != 0)
     slip(at, "'%s': expected uniform or normal", kind);
@@ -76,13 +99,12 @@ static struct spread read_line(const struct line *at, const struct arguments *a,
   s.b = number(at, second, value, s.normal ? 0. : value);
   if (s.normal ? !(s.b > 0.) : !(s.a < s.b))
     slip(at, "%s %s %s %s: %s", name, kind, first, second, s.normal ? "expected a deviation above 0" : "expected FROM below TO");
-  for (int k = 0; k < (s.normal ? 1 : 2); k++) {
-    const double x = k ? s.b : s.a;
-
-    if (!(x >= least_of(s.parameter) && x <= most_of(s.parameter)))
-      slip(at, "%s = %g %s is outside its range, %g to %g", name, x, quantity_unit(s.parameter), least_of(s.parameter),
-           most_of(s.parameter));
-  }
+  check_value(at, a, s.parameter, s.a);
+  if (!s.normal)
+    check_value(at, a, s.parameter, s.b);
+  else if (s.b > most_of(s.parameter) - least_of(s.parameter))
+    slip(at, "%s normal %s %s: its deviation is larger than its range, %g to %g %s", name, first, second, least_of(s.parameter),
+         most_of(s.parameter), quantity_unit(s.parameter));
   return s;
 }
 
@@ -145,13 +167,17 @@ void draw_spreads(struct random *r, const struct spread spread[], int n, double 
   for (int load = 0; load < 2; load++)
     for (int i = 0; i < n; i++) {
       const int parameter = spread[i].parameter;
+      int tries = 0;
       double x;
 
       if ((parameter == LIBMLG_F_Z) != load)
         continue;
-      do
+      do {
+        if (tries++ == MOST_TRIES)
+          fail("probability", MLG_BAD_INPUT, "%s: none of %d draws was in its range; expected a narrower spread%s",
+               quantity_name(parameter), MOST_TRIES, load ? ", of m_D and g, too" : "");
         x = one_of(r, &spread[i]);
-      while (!(x >= least_of(parameter) && x <= most_of(parameter)));
+      } while (!(x >= least_of(parameter) && x <= most_of(parameter)) || (load && !is_load(par, x)));
       libmlg_set(par, parameter, x);
     }
 }

@@ -47,10 +47,16 @@ int csv_read(const char *file, struct csv *t, struct text *why)
   note_use(file);
   if (read_file(file, &t->text, why) != 0)
     return -1;
-  for (char *line = t->text.at, *next; *line; line = next) {
+  char *line = t->text.at;
+
+  if (strncmp(line, "\xef\xbb\xbf", 3) == 0) /* the mark that Windows begins files with */
+    line += 3;
+  for (char *next; *line; line = next) {
     next = line + strcspn(line, "\n");
     if (*next)
       *next++ = '\0';
+    if (*line && line[strlen(line) - 1] == '\r') /* as Windows ends lines */
+      line[strlen(line) - 1] = '\0';
     number++;
     if (*line == '#')
       continue;
