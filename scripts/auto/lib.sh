@@ -96,9 +96,17 @@ use() { printf '%s\n' "$@" >> "${MLG_USES:-/dev/null}"; }
 
 # What takes minutes is not made again because mlg was linked anew.
 # made NAME FILE... -- COMMAND...: the output of COMMAND as build/tables/NAME.csv, made
-# again when its words or one of the files changed, or the table itself (mlg stamp).
+# again when its words or one of the files changed, or the table itself (mlg stamp).  Of two
+# at once the second waits, and finds it made.
 made() {
-  local table=build/tables/$1.csv words=build/tables/$1.words stamp=made.$1 files=() started=${EPOCHREALTIME/./}
+  local table=build/tables/$1.csv words=build/tables/$1.words stamp=made.$1 files=() started=${EPOCHREALTIME/./} lock
+  exec {lock}> "build/stamps/made.$1.lock"
+  flock "$lock"
+  make_it "$@"
+  exec {lock}>&-
+}
+
+make_it() { # as made; in its variables
   shift
   while [ "$1" != -- ]; do files+=("$1"); shift; done
   shift
