@@ -527,6 +527,19 @@ readonly minutes=(DSMAX=1e-6 NMX=99999)
   rm -r build/runs/fig06.* # other tests want none
 }
 
+@test "two scripts at once that make one table: the second waits for the first and finds it" {
+  local slow pid
+  slow='. scripts/auto/lib.sh; made slow -- sh -c "seq 1 2000; sleep 1; seq 2001 4000"'
+  mkdir -p build/tables build/stamps
+  MLG_BUILT=yes bash -c "$slow" >one 2>&1 3>&- &
+  pid=$!
+  sleep 0.3
+  MLG_BUILT=yes bash -c "$slow" >two 2>&1
+  wait $pid
+  cmp <(seq 1 4000) build/tables/slow.csv
+  [ "$(cat one two | grep -c ' ms$')" -eq 1 ] && [ "$(cat one two | wc -l)" -eq 1 ]
+}
+
 @test "two makes at once in one tree; a header that changed" {
   local pid made=(build/bin/mlg build/models/l1.exe)
   objects
