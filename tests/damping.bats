@@ -69,9 +69,10 @@ EOF
 
 @test "without c_d, or nearly so, the root at 0 is none that grows" {
   local c_d layout zeta V
-  for layout in li6 'k_d|(c_d-b=100-k=7.86e5)'; do
+  local -A b=([li6]=b=100)
+  for layout in 'k_d|(c_d-b=100-k_s)' li6; do
     for c_d in 0 1e-9 1e-6; do
-      read -r zeta V < <(mlg damping "$layout" c_d=$c_d $([ "$layout" != li6 ] || echo k_s=7.86e5 b=100) | awk -F, 'NR == 2 { print $1, $2 }')
+      read -r zeta V < <(mlg damping "$layout" c_d=$c_d k_s=7.86e5 "${b[$layout]:-V_least=0.3}" | awk -F, 'NR == 2 { print $1, $2 }')
       near "$zeta" "$(by_eigenvalues li6 k_s=7.86e5 b=100 V="$V" c_d=1e-3)" 1e-5 "zeta of $layout at c_d = $c_d"
     done
   done
