@@ -1,7 +1,7 @@
 /* places.c - where a search over k_s looks; see places.h */
 #include <math.h>
+#include <string.h>
 
-#include "libmlg.h"
 #include "places.h"
 
 static const double ratio_most = 1.1, stiffest = 2000., softest = 0.02; /* of k_s; of k_psi */
@@ -43,4 +43,27 @@ int libmlg_places(int layout, const double par[], int equal, double u[])
       u[n++] = right;
   }
   return n;
+}
+
+int devices_begin(struct devices *d, int layout, const double par[], double b_least, double b_most)
+{
+  *d = (struct devices){ .layout = layout, .k_s = libmlg_parameter("k_s"), .b = libmlg_parameter("b"), .b_least = b_least,
+                         .b_most = b_most };
+  if (libmlg_uses(layout, d->k_s) < 0)
+    return LIBMLG_NONE;
+  d->over_k_s = libmlg_uses(layout, d->k_s) == 1;
+  d->over_b = libmlg_uses(layout, d->b) == 1 && b_most > b_least;
+  memcpy(d->par, par, (size_t)libmlg_parameters() * sizeof *par);
+  d->k_psi = par[libmlg_parameter("k_psi")];
+  if (libmlg_uses(layout, d->b) == 1)
+    d->par[d->b] = b_least;
+  return 0;
+}
+
+void devices_put(struct devices *d, double u, double v)
+{
+  if (d->over_k_s)
+    d->par[d->k_s] = libmlg_place_k_s(d->k_psi, u, INFINITY);
+  if (d->over_b)
+    d->par[d->b] = d->b_least + v * (d->b_most - d->b_least);
 }
