@@ -33,8 +33,12 @@ struct search {
   int witnesses;
   struct libmlg_ratio best;
   double u, v; /* its place */
-  int over_v;  /* whether the climb goes over b */
-  double guess[MOST_LOADS], c_scale; /* of the climb: the last speeds of the least; the c_d in the middle of its range */
+  double guess[MOST_LOADS]; /* the speeds of the last least ratios, m/s */
+  /* of a climb: whether it goes over k_s and b; where these are held, the c_d in the middle of its range, and where
+   * it ended */
+  int over_u, over_v;
+  double held_u, held_v, c_scale, climbed_u;
+  int roughly; /* golden section along b alone */
   int status;
 };
 
@@ -227,6 +231,15 @@ static int least_over(struct search *s, double c_d, struct libmlg_ratio *least, 
   return 0;
 }
 
+static void take(struct search *s, const struct libmlg_ratio *here, double u, double v)
+{
+  if (!(here->zeta > s->best.zeta))
+    return;
+  s->best = *here;
+  s->u = u;
+  s->v = v;
+}
+
 /* A node: above the best so far, that rises by a few steps to what is nearly the node's own best. */
 static void try_node(struct search *s, double u, double v)
 {
@@ -247,33 +260,32 @@ static void try_node(struct search *s, double u, double v)
 
     if (least_over(s, c_d, &here, &load) != 0 || !(here.zeta > s->best.zeta))
       return;
-    s->best = here;
-    s->u = u;
-    s->v = v;
+    take(s, &here, u, v);
   }
 }
 
 /* --- the climb --------------------------------------------------------------------------------------- */
 
-/* Places of the climb: u, v and w = c_d/(c_d + c_scale), as far as they are searched. */
-static double climb_at(const double x[], double slope[], void *context)
+/* Places of the climb: u and v as far as they are searched, and w = c_d/(c_d + c_scale). */
+static int climb_at(const double x[], struct climb_piece *piece, void *context)
 {
+  double *const slope = piece->slope;
   struct search *const s = context;
   struct devices *const d = &s->device;
   double par[LIBMLG_MOST_PARAMETERS];
   struct libmlg_ratio here;
   int load, n = 0;
 
-  const double u = d->over_k_s ? fmax(x[n++], 1e-9) : 0., v = s->over_v ? x[n++] : s->v, w = x[n];
+  const double u = s->over_u ? fmax(x[n++], 1e-9) : s->held_u, v = s->over_v ? x[n++] : s->held_v, w = x[n];
   const double c_d = s->c_scale * w / (1. - w);
 
   devices_put(d, u, v);
   if (!(c_d > 0.) || !isfinite(c_d) || u > PLACES_SOFTEST || least_over(s, c_d, &here, &load) != 0)
-    return -INFINITY;
+    return 0;
   at_load(s, load, par);
   par[libmlg_parameter("c_d")] = c_d;
   n = 0;
-  if (d->over_k_s) {
+  if (s->over_u) {
     slope[n] = NAN;
     libmlg_ratio_slope(d->layout, par, &here, d->k_s, &slope[n]);
     slope[n++] *= -d->k_psi / (u * u);
@@ -286,56 +298,85 @@ static double climb_at(const double x[], double slope[], void *context)
   slope[n] = NAN;
   libmlg_ratio_slope(d->layout, par, &here, libmlg_parameter("c_d"), &slope[n]);
   slope[n] *= s->c_scale / ((1. - w) * (1. - w));
-  if (here.zeta > s->best.zeta) {
-    s->best = here;
-    s->u = u;
-    s->v = v;
-  }
-  return here.zeta;
+  take(s, &here, u, v);
+  piece->value = here.zeta;
+  return 1;
 }
 
-/* From a design, over k_s, c_d and, with over_v, b; the largest ratio found. */
-static double climb(struct search *s, double u, double c_d, int over_v, double radius, int most)
+/* From u, v and the best c_d over c_d and, as far as is said, k_s and b; the largest ratio found. */
+static double climb(struct search *s, double u, double v, int over_u, int over_v, double radius, int most)
 {
   double x[3], zeta;
   int n = 0;
 
-  s->c_scale = c_d > 0. ? c_d : 1.;
+  s->c_scale = s->best.c_d > 0. ? s->best.c_d : 1.;
+  s->held_u = u;
+  s->held_v = v;
+  s->over_u = over_u;
   s->over_v = over_v;
-  if (s->device.over_k_s)
+  if (over_u)
     x[n++] = u;
   if (over_v)
-    x[n++] = s->v;
+    x[n++] = v;
   x[n++] = 0.5;
   climb_largest(climb_at, s, n, x, radius, most, INFINITY, &zeta);
+  s->climbed_u = over_u ? x[0] : u;
   return zeta;
+}
+
+/* The largest ratio at one k_s, at the b held. */
+static double at_u(double u, void *context)
+{
+  struct search *const s = context;
+  struct libmlg_ratio here;
+  int load;
+
+  if (s->loads > 0)
+    return climb(s, u, s->held_v, 0, 0, 1e-3, 60);
+  devices_put(&s->device, u, s->held_v);
+  if (least_over(s, s->best.c_d, &here, &load) != 0
+      || libmlg_best_c_d_from(s->device.layout, s->device.par, s->V_least, s->V_top, &here) != 0)
+    return -INFINITY;
+  take(s, &here, u, s->held_v);
+  return here.zeta;
+}
+
+/* About the best design at one b; the largest ratio there.  A ridge over k_s and c_d may be bent and thousands
+ * of times as steep on one side as on the other, where a climb creeps. */
+static double about_u(struct search *s, double u, double v, double half, double known)
+{
+  s->held_v = v;
+  return golden_largest(at_u, s, fmax(1e-9, u - half), fmin(PLACES_SOFTEST, u + half), 1e-6 * half, &u, known);
 }
 
 /* The largest ratio at one b, from the best design. */
 static double at_v(double v, void *context)
 {
   struct search *const s = context;
-  const double before = s->v;
+  const double zeta = climb(s, s->u, v, s->device.over_k_s, 0, 1e-3, 100);
 
-  s->v = v;
-  const double zeta = climb(s, s->u, s->best.c_d, 0, 1e-3, 200);
-
-  if (s->best.zeta > zeta)
-    s->v = before;
-  return zeta;
+  if (!s->device.over_k_s || s->loads > 0 || s->roughly)
+    return zeta;
+  return about_u(s, s->climbed_u, v, 1e-3, zeta);
 }
 
-/* Along b the top may be a ridge that is nearly flat: the best at each b is a corner, which a climb
- * finds at once, and golden section goes along it, `half` to both sides. */
+/* From the best design, `half` of the range of b to both sides and half that of u. */
 static void climb_on(struct search *s, double half)
 {
-  climb(s, s->u, s->best.c_d, s->device.over_b, 0.25 * half, 300);
+  climb(s, s->u, s->v, s->device.over_k_s, s->device.over_b, 0.25 * half, 300);
   for (int again = 0; s->device.over_b && again < 10; again++) {
-    const double from = s->v, left = fmax(0., from - half), right = fmin(1., from + half);
+    const double from = s->v;
     double v = from;
 
-    golden_largest(at_v, s, left, right, 2e-3 * half, &v, s->best.zeta);
+    golden_largest(at_v, s, fmax(0., from - half), fmin(1., from + half), 2e-3 * half, &v, s->best.zeta);
     if (fabs(s->v - from) < 0.9 * half)
+      break;
+  }
+  for (int again = 0; s->device.over_k_s && !(s->roughly && s->device.over_b) && again < 10; again++) {
+    const double from = s->u;
+
+    about_u(s, from, s->v, 0.5 * half, s->best.zeta);
+    if (fabs(s->u - from) < 0.45 * half)
       break;
   }
 }
@@ -416,7 +457,7 @@ int best_damped_is_free(int layout, const double par[], double b_least, double b
     return 0;
   over_the_grid(&s, 0.);
   if (s.best.zeta > -1. && !(s.best.zeta > 0.))
-    climb(&s, s.u, s.best.c_d, s.device.over_b, 0.5 / NODES_K_S, 300);
+    climb(&s, s.u, s.v, s.device.over_k_s, s.device.over_b, 0.5 / NODES_K_S, 300);
   *best = s.best;
   return s.best.zeta > 0.;
 }
@@ -431,6 +472,7 @@ void best_damped_near(int layout, const double par[], double b_least, double b_m
   s.u = best->k_s < INFINITY ? 1. / (1. + best->k_s / s.device.k_psi) : 0.;
   s.v = s.device.over_b ? (best->b - b_least) / (b_most - b_least) : 0.;
   s.best.c_d = best->c_d;
+  s.roughly = 1;
   climb_on(&s, 0.1 / NODES_B);
   *best = s.best;
 }

@@ -20,7 +20,8 @@ int crossing_extremum_near(const struct crossing *x, struct crossing_at *p)
     const struct jet_of_G j = crossing_jet(&f);
     const double det = j.t * j.tc - j.c * j.tt;
     const double dt = (j.G * j.tc - j.c * j.t) / det, dc = (j.t * j.t - j.G * j.tt) / det;
-    const double step = fabs(dt / p->t) + fabs(dc / p->c);
+    /* a c below a thousandth is known to as many digits as one of that: the rest is rounding */
+    const double step = fabs(dt / p->t) + fabs(dc) / fmax(fabs(p->c), 1e-3);
 
     /* no better than before: rounding is reached, or this leads nowhere */
     if (!(step < last) || step < 1e-15) {

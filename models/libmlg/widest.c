@@ -11,18 +11,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "golden.h"
 #include "layout.h"
 #include "places.h"
 
 /* Each of the nodes and of the finer ones may have a change behind it, which are two more. */
 enum { NODES = 64, FINER = 8, MOST_NODES = 3 * (PLACES_MOST + FINER * NODES), MOST_INTERVALS = LIBMLG_MOST_POINTS };
-
-struct search {
-  int layout, k_s; /* number of that parameter */
-  int by_ratio;    /* log(hi/lo) stands for the width */
-  double par[LIBMLG_MOST_PARAMETERS], k_psi, zeta, V_least, V_top;
-  int status;
-};
 
 /* What there is at one place u: the widest interval, and a signature that changes with the
  * number and kind of the intervals, or without any with the order and kind of the boundary
@@ -32,6 +26,14 @@ struct state {
   double u, width, parting; /* parting: bottom over top of two regions that overlap, 1: they part */
   unsigned long signature;
   struct libmlg_interval widest;
+};
+
+struct search {
+  int layout, k_s; /* number of that parameter */
+  int by_ratio;    /* log(hi/lo) stands for the width */
+  double par[LIBMLG_MOST_PARAMETERS], k_psi, zeta, V_least, V_top;
+  int status;
+  struct state top; /* of a golden section */
 };
 
 /* By which intervals are compared: hi - lo, or log(hi/lo). */
@@ -111,30 +113,24 @@ static int add_changes(struct search *s, struct state left, struct state right, 
   return n;
 }
 
-/* The largest width from left to right, by golden section to that tolerance. */
+static double width_at(double u, void *context)
+{
+  struct search *const s = context;
+  const struct state here = state_at(s, u);
+
+  if (here.width > s->top.width)
+    s->top = here;
+  return here.width;
+}
+
+/* The largest width from left to right, or `best`. */
 static struct state golden(struct search *s, struct state best, double left, double right, double tolerance)
 {
-  const double ratio = 0.6180339887498949;
-  struct state a = state_at(s, right - ratio * (right - left)), b = state_at(s, left + ratio * (right - left));
+  double u = best.u;
 
-  while (right - left > tolerance) {
-    if (a.width > best.width)
-      best = a;
-    if (b.width > best.width)
-      best = b;
-    if (a.width > b.width || (!(b.width > a.width) && best.u < b.u)) {
-      right = b.u;
-      b = a;
-      a = state_at(s, right - ratio * (right - left));
-    } else {
-      left = a.u;
-      a = b;
-      b = state_at(s, left + ratio * (right - left));
-    }
-    if (!(a.u > left && b.u < right && a.u < b.u))
-      break;
-  }
-  return best;
+  s->top = best;
+  golden_largest(width_at, s, left, right, tolerance, &u, best.width);
+  return s->top;
 }
 
 /* Whether a boundary point goes on as the other one a small step of u away. */

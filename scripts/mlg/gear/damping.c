@@ -5,6 +5,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "designs.h"
 #include "names.h"
 
 static const char name[] = "damping";
@@ -92,30 +93,6 @@ static void print_table(struct search *search, int k)
   print_mode(a, &mode, !search->at_V);
 }
 
-/* Where the best c_d is, two modes are often damped alike; of psi and delta the latter is
- * shown, not the one that rounding chooses. */
-static struct libmlg_mode mode_shown(struct arguments *a, const struct libmlg_ratio *best, double V_least)
-{
-  const double above = best->zeta + 1e-6 * fabs(best->zeta);
-  struct libmlg_mode mode = mode_at(a, best->V), other;
-  struct libmlg_point point[LIBMLG_MOST_POINTS];
-  double from = 0., to = 0.;
-  int n;
-
-  if (libmlg_is_delta(a->par, mode.delta_over_psi) || !(best->zeta > -1.))
-    return mode;
-  n = checked(name, libmlg_hopf_at_c_d(a->layout, a->par, above, V_least, a->V_top, point, LIBMLG_MOST_POINTS));
-  for (int i = 0; i < n && i < LIBMLG_MOST_POINTS; i++)
-    if (libmlg_is_delta(a->par, point[i].delta_over_psi)) {
-      from = from > 0. ? from : point[i].V;
-      to = point[i].V;
-    }
-  if (!(from < to))
-    return mode;
-  other = mode_between(a, from, to);
-  return libmlg_is_delta(a->par, other.delta_over_psi) && other.zeta < above ? other : mode;
-}
-
 static void print_best(struct search *search)
 {
   struct arguments *a = &search->given;
@@ -150,7 +127,7 @@ static void print_best(struct search *search)
   a->par[NUMBER_C_D] = best.c_d;
   a->par[NUMBER_K_S] = best.k_s;
   a->par[NUMBER_B] = best.b;
-  const struct libmlg_mode mode = mode_shown(a, &best, V_least);
+  const struct libmlg_mode mode = shown_mode(a, a->par, V_least, &best);
 
   printf("%s%sc_d,zeta,V,frequency_hz,shimmy,t_5\n", over_b ? "b," : "", over_k_s ? "k_s," : "");
   if (over_b)

@@ -17,6 +17,10 @@ const char *quantity_unit(int parameter);
  * at the c_d of par[]; false: a real root. */
 bool least_mode(const struct arguments *a, const double par[], double V_least, struct libmlg_mode *mode);
 
+/* The mode of a best c_d of par[] with its ratio: there two are often damped alike, and of psi and delta
+ * the latter is shown, not the one that rounding chooses. */
+struct libmlg_mode shown_mode(const struct arguments *a, const double par[], double V_least, const struct libmlg_ratio *best);
+
 /* Refuses V, which is no parameter of a design, and V_least not below V_top. */
 void check_speeds(const struct arguments *a, double V_least);
 

@@ -5,6 +5,7 @@
 
 #include "command.h"
 #include "designs.h"
+#include "golden.h"
 #include "names.h"
 
 static const char name[] = "loads";
@@ -15,6 +16,8 @@ struct job {
   struct arguments a;
   struct option option[7];
   bool over_b;
+  struct libmlg_widest widest; /* of a search, and its b */
+  double widest_b;
 };
 
 /* One row at the load, k_s and b of the arguments; `damped` where c_d is looked for. */
@@ -38,7 +41,10 @@ static void print_row(struct job *j, bool best_c_d)
     printf("%.10g,%.10g,%.8g,%.8g,", widest.lo.c_d, widest.hi.c_d, widest.hi.c_d - widest.lo.c_d, widest.hi.c_d / widest.lo.c_d);
   else
     printf(",,0,,");
-  least_mode(a, a->par, j->option[V_LEAST].value, &mode);
+  if (best_c_d)
+    mode = shown_mode(a, a->par, j->option[V_LEAST].value, &best);
+  else
+    least_mode(a, a->par, j->option[V_LEAST].value, &mode);
   printf("%.10g,%.8g,%.6g,%s\n", a->par[NUMBER_C_D], mode.zeta, mode.V, shimmy_name(a->par, mode.delta_over_psi));
 }
 
@@ -48,58 +54,45 @@ static void print_head(void)
          "F_z,k_s,b,c_lo,c_hi,width,ratio,c_d,zeta,V,shimmy\n");
 }
 
-/* The widest interval over k_s, and over b: the best of 16 b, then golden section. */
-static bool widest_at(struct job *j, double b, struct libmlg_widest *w)
+/* Width of the widest interval over k_s at b; the best so far is kept. */
+static double width_at(double b, void *job)
 {
+  struct job *const j = job;
   struct arguments *a = &j->a;
-
-  a->par[NUMBER_B] = b;
-  return libmlg_widest(a->layout, a->par, 0., 0., a->V_top, w) == 0 && w->width > 0.;
-}
-
-static double width_at(struct job *j, double b, struct libmlg_widest *best, double *best_b)
-{
   struct libmlg_widest w;
 
-  if (!widest_at(j, b, &w))
+  a->par[NUMBER_B] = b;
+  if (libmlg_widest(a->layout, a->par, 0., 0., a->V_top, &w) != 0)
     return 0.;
-  if (w.width > best->width) {
-    *best = w;
-    *best_b = b;
+  if (w.width > j->widest.width) {
+    j->widest = w;
+    j->widest_b = b;
   }
   return w.width;
 }
 
+/* Over b as well: the best of 16, then golden section. */
 static bool take_widest(struct job *j)
 {
-  const double ratio = 0.6180339887498949, from = j->option[B_LEAST].value, node = (j->option[B_MOST].value - from) / 15.;
-  double b = j->a.par[NUMBER_B], left, right, x, y, at_x, at_y;
-  struct libmlg_widest best = { .width = 0. };
+  enum { NODES = 15 };
+  const double from = j->option[B_LEAST].value, to = j->option[B_MOST].value, node = (to - from) / NODES;
 
+  j->widest = (struct libmlg_widest){ .width = 0. };
   if (!j->over_b)
-    width_at(j, b, &best, &b);
-  for (int i = 0; i < 16 && j->over_b; i++)
-    width_at(j, from + i * node, &best, &b);
-  if (j->over_b && best.width > 0. && isfinite(best.width)) {
-    left = fmax(b - node, from), right = fmin(b + node, j->option[B_MOST].value);
-    x = right - ratio * (right - left), y = left + ratio * (right - left);
-    at_x = width_at(j, x, &best, &b), at_y = width_at(j, y, &best, &b);
-    while (right - left > 1e-3 * node)
-      if (at_x > at_y) {
-        right = y, y = x, at_y = at_x;
-        x = right - ratio * (right - left);
-        at_x = width_at(j, x, &best, &b);
-      } else {
-        left = x, x = y, at_x = at_y;
-        y = left + ratio * (right - left);
-        at_y = width_at(j, y, &best, &b);
-      }
+    width_at(j->a.par[NUMBER_B], j);
+  for (int i = 0; i <= NODES && j->over_b; i++)
+    width_at(from + i * node, j);
+  if (!(j->widest.width > 0.))
+    return false;
+  if (j->over_b && isfinite(j->widest.width)) {
+    double b = j->widest_b;
+
+    golden_largest(width_at, j, fmax(b - node, from), fmin(b + node, to), 1e-3 * node, &b, j->widest.width);
   }
-  if (best.width > 0. && libmlg_uses(j->a.layout, NUMBER_K_S) == 1)
-    j->a.par[NUMBER_K_S] = fmin(best.k_s, MLG_RIGID);
-  if (best.width > 0.)
-    j->a.par[NUMBER_B] = b;
-  return best.width > 0.;
+  if (libmlg_uses(j->a.layout, NUMBER_K_S) == 1)
+    j->a.par[NUMBER_K_S] = fmin(j->widest.k_s, MLG_RIGID);
+  j->a.par[NUMBER_B] = j->widest_b;
+  return true;
 }
 
 static bool take_damped(struct job *j)
