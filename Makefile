@@ -201,7 +201,7 @@ parts_joints := cycles play planes friction thresholds dampers starts
 parts_doubts := zB_shared R_moves heading I_p tyre
 parts_networks := small larger
 parts_passive := 180e3 200e3 220e3 gears
-parts_design := loads tolerance map auto
+parts_design := own loads over_b largest tolerance map elasticities probability advice auto
 studies := damping transients layouts certify sections sweeps joints doubts networks passive design
 
 # A part of a figure's runs by itself, so that -j2 makes them side by side; the figure.
@@ -225,6 +225,8 @@ fig10: fig09 fig15
 $(parts_transients:%=transients.%): damping
 $(parts_sections:%=sections.%): sections.branches
 sections.branches: fig06.a
+design.loads design.tolerance: design.own
+design.elasticities design.probability design.advice: design.tolerance
 
 export MLG_ASKED := $(or $(filter $(figures) $(studies),$(goals)),$(figures))
 export MLG_STARTED := $(shell date +%s)

@@ -16,8 +16,14 @@
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 . scripts/report/advice.sh
 
-layouts="l1 l2 li1 li2"
-b_of() { case $1 in li*) echo 140 ;; *) echo 0 ;; esac; } # the paper's b
+mapfile -t layouts < <(layouts)
+papers=(l1 l2 li1 li2) # paper_gear has their k_s and b
+with_b=() others=()
+for layout in "${layouts[@]}"; do
+  case $layout in l1 | l2) ;; *) with_b+=("$layout") ;; esac
+  [[ " ${papers[*]} " == *" $layout "* ]] || others+=("$layout")
+done
+is_papers() { [[ " ${papers[*]} " == *" $1 "* ]]; }
 
 # words LAYOUT K_S B: the device for mlg
 words() {
@@ -27,7 +33,7 @@ words() {
 # of NAME LAYOUT COMMAND...: made again when its answer may be another
 of() {
   local files
-  mapfile -t files < <(sources "$2" models/libmlg/{boundary_points,crossing,crossing_roots,free,slopes,tolerance,tolerant,loads,widest,best_ratio}.c)
+  mapfile -t files < <(sources "$2" models/libmlg/{boundary_points,crossing,crossing_extrema,crossing_roots,free,slopes,tolerance,tolerant,loads,widest,places,golden,climb,best_ratio,best_damped}.c)
   made "design.$1" "${files[@]}" scripts/mlg/gear/{designs,loads,elasticities,tolerance,probability}.c -- "${@:3}"
 }
 
@@ -36,93 +42,124 @@ prefixed() {
   mlg "${@:2}" | sed "/^#/d; /^[FkV]/d; s/^/$1,/"
 }
 
-# --- over loads -----------------------------------------------------------------------------
+# --- the designs that are looked at --------------------------------------------------------------
 
 middle() { # LAYOUT K_S B: the middle of the widest interval there
   # shellcheck disable=SC2046
   mlg intervals "$1" $(words "$@") | awk -F, 'NR > 2 && $2 - $1 > w { w = $2 - $1; c = ($1 + $2) / 2 } END { printf "%.10g", c }'
 }
 
+# The widest interval over k_s and b at 200 kN
+runs_own() {
+  local layout
+  for layout in "${others[@]}"; do
+    of "own.$layout" "$layout" prefixed "$layout,own" loads "$layout" widest b_most=300 from=2e5 to=2.01e5 step=1e4
+  done
+}
+
+# gear LAYOUT: sets the choice it is called, k_s and b: the paper's, or that of its own widest interval
+gear() {
+  choice=paper
+  if is_papers "$1"; then
+    paper_gear "$1"
+  else
+    IFS=, read -r _ choice _ k_s b _ < "build/tables/design.own.$1.csv"
+  fi
+}
+
+# design LAYOUT DESIGN: sets k_s, b and c_d as the table of tolerances has them
+design() {
+  IFS=, read -r _ _ k_s b c_d _ < <(cat build/tables/design.tolerance*."$1".csv | grep "^$1,$2,")
+}
+
+# The most tolerant design of a layout: its name
+most_tolerant() { if [[ " ${with_b[*]} " == *" $1 "* ]]; then echo tolerant_b; else echo tolerant; fi; }
+
+# --- over loads -----------------------------------------------------------------------------
+
 loads_of() { # LAYOUT
-  local layout=$1 b k_s
-  paper_gear "$layout"
+  local layout=$1 choice b k_s
+  gear "$layout"
   # shellcheck disable=SC2046
-  prefixed "$layout,paper" loads "$layout" $(words "$layout" "$k_s" "$b") c_d="$(middle "$layout" "$k_s" "$b")"
+  prefixed "$layout,$choice" loads "$layout" $(words "$layout" "$k_s" "$b") c_d="$(middle "$layout" "$k_s" "$b")"
+  is_papers "$layout" || return 0
   prefixed "$layout,widest" loads "$layout" widest b="$b"
   prefixed "$layout,damped" loads "$layout" damped b="$b" step=3e4
   prefixed "$layout,over" loads "$layout" over b="$b" from=1.8e5 to=2.1e5 step=5e3
 }
 
 loads_over_b() { # LAYOUT
-  prefixed "$1,widest_b" loads "$1" widest b_most=300
+  prefixed "$1,widest_b" loads "$1" widest b_most=300 step=1e4
   prefixed "$1,damped_b" loads "$1" damped b_most=300 step=3e4
   prefixed "$1,over_b" loads "$1" over b_most=300 from=1.8e5 to=2.1e5 step=5e3
 }
 
-largest_of() { # LAYOUT
-  local b
-  b=$(b_of "$1")
-  prefixed "$1,largest" loads "$1" largest b="$b" | sed 's/,\([^,]*\)$/,,,0,,\1,,,/'
-  [ "$b" = 0 ] || prefixed "$1,largest_b" loads "$1" largest b_most=300 | sed 's/,\([^,]*\)$/,,,0,,\1,,,/'
-}
+# largest_of CHOICE LAYOUT WORD
+largest_of() { prefixed "$2,$1" loads "$2" largest "$3" | sed 's/,\([^,]*\)$/,,,0,,\1,,,/'; }
 
 runs_loads() {
   local layout
-  for layout in $layouts; do
-    of "loads.$layout" "$layout" loads_of "$layout"
-    of "largest.$layout" "$layout" largest_of "$layout"
+  runs_own
+  for layout in "${layouts[@]}"; do of "loads.$layout" "$layout" loads_of "$layout"; done
+}
+
+runs_over_b() {
+  local layout
+  for layout in "${with_b[@]}"; do of "loads_b.$layout" "$layout" loads_over_b "$layout"; done
+}
+
+runs_largest() {
+  local layout k_s b
+  for layout in "${papers[@]}"; do
+    paper_gear "$layout"
+    of "largest.$layout" "$layout" largest_of largest "$layout" b="$b"
   done
-  for layout in li1 li2; do of "loads_b.$layout" "$layout" loads_over_b "$layout"; done
+  for layout in "${with_b[@]}"; do of "largest_b.$layout" "$layout" largest_of largest_b "$layout" b_most=300; done
 }
 
 # --- tolerances -------------------------------------------------------------------------------
 
 tolerances_of() { # LAYOUT
-  local layout=$1 b k_s c_d
-  paper_gear "$layout"
+  local layout=$1 choice b k_s c_d best=()
+  gear "$layout"
   # shellcheck disable=SC2046
-  prefixed "$layout,paper" tolerance "$layout" $(words "$layout" "$k_s" "$b")
-  if [ "$layout" != l1 ]; then
+  prefixed "$layout,$choice" tolerance "$layout" $(words "$layout" "$k_s" "$b")
+  if is_papers "$layout"; then best=(b="$b"); else best=(b_most=300); fi
+  if is_papers "$layout" && [ "$layout" != l1 ]; then
     k_s=$(mlg widest "$layout" b="$b" | sed -n 's/^\([0-9].*\)/\1/p' | cut -d, -f1)
     # shellcheck disable=SC2046
     prefixed "$layout,widest" tolerance "$layout" $(words "$layout" "$k_s" "$b")
   fi
-  IFS=, read -r c_d _ k_s < <(mlg damping "$layout" best b="$b" | awk -F, -v OFS=, 'NR == 2 { print (NF > 6 ? $2 : $1), "", $1 }')
+  # the columns c_d, or k_s,c_d or b,k_s,c_d come first
+  IFS=, read -r b k_s c_d < <(mlg damping "$layout" best "${best[@]}" | awk -F, -v OFS=, -v b="$b" '
+    NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } NR == 2 { print ("b" in at ? $at["b"] : b), ("k_s" in at ? $at["k_s"] : "inf"), $at["c_d"] }')
   # shellcheck disable=SC2046
-  prefixed "$layout,damped" tolerance "$layout" $(words "$layout" "$k_s" "$b") c_d="$c_d"
-  prefixed "$layout,tolerant" tolerance "$layout" best b="$(b_of "$layout")"
+  prefixed "$layout,$(is_papers "$layout" && echo damped || echo damped_b)" tolerance "$layout" $(words "$layout" "$k_s" "$b") c_d="$c_d"
+  ! is_papers "$layout" || prefixed "$layout,tolerant" tolerance "$layout" best "${best[@]}"
 }
 
-# A minute or two each
 tolerance_over_b() { prefixed "$1,tolerant_b" tolerance "$1" best b_most=300; }
 
 runs_tolerance() {
   local layout
-  for layout in $layouts; do of "tolerance.$layout" "$layout" tolerances_of "$layout"; done
-  for layout in li1 li2; do of "tolerance_b.$layout" "$layout" tolerance_over_b "$layout"; done
+  runs_own
+  for layout in "${layouts[@]}"; do of "tolerance.$layout" "$layout" tolerances_of "$layout"; done
+  for layout in "${with_b[@]}"; do of "tolerance_b.$layout" "$layout" tolerance_over_b "$layout"; done
 }
 
 runs_map() {
-  of map.li1 li1 prefixed li1 tolerance li1 map k_s=1e5:1e6:13 b=0:160:9
-  of map.li2 li2 prefixed li2 tolerance li2 map k_s=3e5:3e6:13 b=0:270:10
+  of map.li1 li1 prefixed li1 tolerance li1 map k_s=1e5:1e6:17 b=0:160:17
+  of map.li2 li2 prefixed li2 tolerance li2 map k_s=3e5:3e6:17 b=0:272:17
 }
-
-# design LAYOUT DESIGN: sets k_s, b and c_d as the table of tolerances has them
-design() {
-  IFS=, read -r _ _ k_s b c_d _ < <(cat build/tables/design.tolerance.*.csv build/tables/design.tolerance_b.*.csv | grep "^$1,$2,")
-}
-
-# The most tolerant design of a layout
-best_design() { case $1 in li*) design "$1" tolerant_b ;; *) design "$1" tolerant ;; esac; }
 
 # --- elasticities and probabilities -------------------------------------------------------------
 
 elasticities_of() { # LAYOUT
-  local layout=$1 k_s b c_d
-  paper_gear "$layout"
+  local layout=$1 choice k_s b c_d
+  gear "$layout"
   # shellcheck disable=SC2046
-  prefixed_elasticities "$layout,paper,$k_s,$b,$(middle "$layout" "$k_s" "$b")" elasticities "$layout" $(words "$layout" "$k_s" "$b")
-  best_design "$layout"
+  prefixed_elasticities "$layout,$choice,$k_s,$b,$(middle "$layout" "$k_s" "$b")" elasticities "$layout" $(words "$layout" "$k_s" "$b")
+  design "$layout" "$(most_tolerant "$layout")"
   # shellcheck disable=SC2046
   prefixed_elasticities "$layout,tolerant,$k_s,$b,$c_d" elasticities "$layout" $(words "$layout" "$k_s" "$b") c_d="$c_d"
 }
@@ -130,40 +167,38 @@ elasticities_of() { # LAYOUT
 prefixed_elasticities() { mlg "${@:2}" | sed "1,2d; s/^/$1,/"; }
 
 probabilities_of() { # LAYOUT
-  local layout=$1 k_s b c_d
-  paper_gear "$layout"
+  local layout=$1 choice k_s b c_d
+  gear "$layout"
   # shellcheck disable=SC2046
-  prefixed "$layout,paper" probability "$layout" $(words "$layout" "$k_s" "$b") spread=docs/examples/spread
-  best_design "$layout"
+  prefixed "$layout,$choice" probability "$layout" $(words "$layout" "$k_s" "$b") spread=docs/examples/spread
+  design "$layout" "$(most_tolerant "$layout")"
   # shellcheck disable=SC2046
   prefixed "$layout,tolerant" probability "$layout" $(words "$layout" "$k_s" "$b") c_d="$c_d" spread=docs/examples/spread
 }
 
-# After the tolerances, whose designs they look at
+# Of the designs that the tolerances found
 runs_elasticities() {
   local layout
-  [ -s build/tables/design.tolerance_b.li2.csv ] || runs_tolerance
-  for layout in $layouts; do of "elasticities.$layout" "$layout" elasticities_of "$layout"; done
+  runs_tolerance
+  for layout in "${layouts[@]}"; do of "elasticities.$layout" "$layout" elasticities_of "$layout"; done
 }
 
 runs_probability() {
   local layout
-  [ -s build/tables/design.tolerance_b.li2.csv ] || runs_tolerance
+  runs_tolerance
   use docs/examples/spread
-  for layout in $layouts; do of "probability.$layout" "$layout" probabilities_of "$layout"; done
+  for layout in "${layouts[@]}"; do of "probability.$layout" "$layout" probabilities_of "$layout"; done
 }
 
 # Of each layout the most tolerant design, as a page sees it
 advice_of() { # LAYOUT
-  local design=tolerant
-  [[ $1 != li* ]] || design=tolerant_b
-  advice_row "$1" "$(cat build/tables/design.tolerance.*.csv build/tables/design.tolerance_b.*.csv | sed -n "s/^$1,$design,//p")"
+  advice_row "$1" "$(cat build/tables/design.tolerance*."$1".csv | sed -n "s/^$1,$(most_tolerant "$1"),//p")"
 }
 
 runs_advice() {
   local layout
-  [ -s build/tables/design.tolerance_b.li2.csv ] || runs_tolerance
-  for layout in $layouts; do of "advice.$layout" "$layout" advice_of "$layout"; done
+  runs_tolerance
+  for layout in "${layouts[@]}"; do of "advice.$layout" "$layout" advice_of "$layout"; done
 }
 
 # --- AUTO over the load ---------------------------------------------------------------------------
@@ -175,7 +210,7 @@ mass() { awk "BEGIN { printf \"%.10g\", $1 * 1e3 / 9.81 - 500 }"; }
 # its region is born or meets another (fold = 0).
 runs_auto() {
   local layout b k_s start n way at runs
-  for layout in $layouts; do
+  for layout in "${papers[@]}"; do
     paper_gear "$layout"
     at=(b="$b" k_s="$k_s")
     [ "$layout" != l1 ] || at=()
@@ -200,7 +235,7 @@ runs_auto() {
 
 rows_of() { # NAME...: of build/tables/design.NAME.LAYOUT.csv, by layout
   local layout name
-  for layout in $layouts; do
+  for layout in "${layouts[@]}"; do
     for name; do [ ! -f "build/tables/design.$name.$layout.csv" ] || cat "build/tables/design.$name.$layout.csv"; done
   done
 }
@@ -215,7 +250,7 @@ tables() {
     "# F_z N; k_s N m/rad (inf: rigid), b N m s^2/rad; c_lo, c_hi, width N m s/rad of the widest interval, ratio c_hi/c_lo;" \
     "# zeta: least over V in 0.3..200 m/s at c_d, V m/s and mode of it, below 0: shimmy. Exact in V and c_d; k_s, b: mlg help loads." \
     layout,choice,F_z,k_s,b,c_lo,c_hi,width,ratio,c_d,zeta,V,shimmy
-  rows_of loads loads_b largest >> "$table.new"
+  rows_of loads loads_b largest largest_b >> "$table.new"
   end_table
 
   begin_table results/elasticities.csv \
@@ -253,10 +288,10 @@ tables() {
 
   begin_table results/loads_auto.csv \
     "# AUTO's boundary points over the load (M), from the paper's gear at 200 kN both ways; every tenth, and the ends. All of" \
-    "# them against the exact ones: $(for layout in $layouts; do printf '%s %s; ' "$layout" "$(cat "build/tables/design.agree.$layout")"; done)relative in c_d." \
+    "# them against the exact ones: $(for layout in "${papers[@]}"; do printf '%s %s; ' "$layout" "$(cat "build/tables/design.agree.$layout")"; done)relative in c_d." \
     "# F_z N, c_d N m s/rad, V m/s, frequency_hz Hz, extremum of c_d along the Hopf curve." \
     layout,curve,F_z,c_d,V,frequency_hz,extremum
-  for layout in $layouts; do
+  for layout in "${papers[@]}"; do
     while read -r name; do
       mlg rows "$name" prefix="$layout,${name#design."$layout".}" columns=M:.10g,c_1:.8g,V_1:.6g,f_1:.7g,kind_1 every=10
     done < "build/tables/design.runs.$layout"
