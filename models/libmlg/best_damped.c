@@ -17,6 +17,7 @@
 #include "golden.h"
 #include "linearised.h"
 #include "places.h"
+#include "watch.h"
 
 enum { NODES_K_S = 64, NODES_B = 32, MOST_LOADS = 7, WITNESSES = 12, MOST = 2 * CROSSING_TERMS, ROUNDS = 16, RAISES = 6 };
 
@@ -368,6 +369,7 @@ static void climb_on(struct search *s, double half)
     const double from = s->v;
     double v = from;
 
+    watch_tell("damping, along b", again, again + 1);
     golden_largest(at_v, s, fmax(0., from - half), fmin(1., from + half), 2e-3 * half, &v, s->best.zeta);
     if (fabs(s->v - from) < 0.9 * half)
       break;
@@ -394,6 +396,7 @@ static void over_the_grid(struct search *s, double enough)
     devices_put(d, 0., (double)j / NODES_B);
     const int nodes = libmlg_places(d->layout, d->par, NODES_K_S, u);
 
+    watch_tell("damping, grid over b", j, d->over_b ? NODES_B + 1 : 1);
     for (int i = 0; i < nodes && !(s->best.zeta > enough); i++)
       try_node(s, u[i], (double)j / NODES_B);
   }

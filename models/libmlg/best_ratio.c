@@ -145,7 +145,7 @@ static int intervals_above(int layout, const double par[], double zeta, double V
 {
   int n = LIBMLG_UNSURE;
 
-  for (double more = 0.; n == LIBMLG_UNSURE && more < 1e-6; more = fmax(10. * more, 1e-11))
+  for (double more = 0.; n == LIBMLG_UNSURE && more < 1e-3; more = fmax(10. * more, 1e-11))
     n = libmlg_intervals(layout, par, zeta + more * (1e-6 + fabs(zeta)), V_least, V_top, interval, LIBMLG_MOST_POINTS);
   return n;
 }

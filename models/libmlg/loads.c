@@ -9,6 +9,7 @@
 
 #include "best_damped.h"
 #include "layout.h"
+#include "watch.h"
 
 enum { LOADS = 12, ROUNDS = 40 };
 
@@ -45,6 +46,7 @@ static double follow(struct largest *s, double F_lo, double F_hi, struct libmlg_
     const double secant = F_lo + (F_hi - F_lo) * zeta_lo / (zeta_lo - zeta_hi);
     const double F_z = secant > F_lo && secant < F_hi ? secant : 0.5 * (F_lo + F_hi);
 
+    watch_tell("largest load, step", i, ROUNDS);
     at = *design;
     const double zeta = ratio_at(s, F_z, &at);
 

@@ -17,6 +17,7 @@
 #include "climb.h"
 #include "golden.h"
 #include "places.h"
+#include "watch.h"
 
 enum { MOST_ASKED = 1024, NEW_CORNERS = 6, NODES_K_S = 64, NODES_B = 15, MOST = LIBMLG_MOST_POINTS };
 
@@ -229,6 +230,7 @@ static int ask_failing(struct search *s, const struct best *best)
     unsigned last[NEW_CORNERS]; /* of those that fail earlier than all before them */
     int failing = 0;
 
+    watch_tell("tolerance, all corners, part of p", part, s->parts);
     for (unsigned corner = 0; corner < 1u << s->box.n; corner++)
       if (!box_is_free(&d, corner, p * box_part(part))) {
         p = box_begins(&d, corner, p * box_part(part)) / box_part(part) * (1. - 1e-8);
@@ -359,6 +361,7 @@ static void over_the_grid(struct search *s)
     devices_put(&s->device, 0.5, (double)j / NODES_B);
     const int nodes = libmlg_places(d->layout, d->par, NODES_K_S, u);
 
+    watch_tell("tolerance, grid over b", j, d->over_b ? NODES_B + 1 : 1);
     for (int i = nodes > 1; i < nodes; i++) /* a rigid k_s has no tolerance */
       take(s, value_at(s, u[i], (double)j / NODES_B, s->best.p));
   }
@@ -413,6 +416,7 @@ int libmlg_tolerance_map(int layout, const double par[], struct libmlg_design no
   for (int i = 0; i < n; i++) {
     const double b = node[i].b;
 
+    watch_tell("tolerance, node", i, n);
     if (i == 0 ? search_begin(&s, layout, par, b, b, V_least, V_top) != 0 : 0)
       return LIBMLG_NONE;
     s.device.par[s.device.b] = b;

@@ -278,6 +278,8 @@ void begin_arguments(struct arguments *a, int argc, char *argv[], struct option 
   }
   if (a->layout != LIBMLG_NONE)
     return;
+  if (argc > 2 && (libmlg_layout(argv[2]) != LIBMLG_NONE || strpbrk(argv[2], "|(")))
+    refuse(argv[0], argv[1], "the layout comes first: mlg %s %.200s %.200s", argv[0], argv[2], argv[1]);
   for (int i = 0; i < libmlg_layouts() && n < sizeof known; i++)
     n += (size_t)snprintf(known + n, sizeof known - n, "%s %s", i ? "," : "", libmlg_layout_name(i));
   refuse(argv[0], argv[1], "no such layout; there are%.500s", known);

@@ -7,6 +7,7 @@
 #include "command.h"
 #include "designs.h"
 #include "names.h"
+#include "waiting.h"
 
 static const char name[] = "damping";
 
@@ -115,6 +116,7 @@ static void print_best(struct search *search)
     refuse(name, option[B_LEAST].word, "goes with b_most=VALUE");
   if (option[B_LEAST].value > option[B_MOST].value)
     refuse(name, option[B_MOST].word, "below b_least = %g", option[B_LEAST].value);
+  show_searches();
   if (over_k_s || over_b)
     status = libmlg_best_damped(a->layout, a->par, over_b ? option[B_LEAST].value : b, over_b ? option[B_MOST].value : b,
                                 V_least, a->V_top, &best);
@@ -129,6 +131,7 @@ static void print_best(struct search *search)
   a->par[NUMBER_B] = best.b;
   const struct libmlg_mode mode = shown_mode(a, a->par, V_least, &best);
 
+  hide_search();
   printf("%s%sc_d,zeta,V,frequency_hz,shimmy,t_5\n", over_b ? "b," : "", over_k_s ? "k_s," : "");
   if (over_b)
     printf("%.8g,", best.b);

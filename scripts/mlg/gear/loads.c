@@ -7,6 +7,8 @@
 #include "designs.h"
 #include "golden.h"
 #include "names.h"
+#include "waiting.h"
+#include "watch.h"
 
 static const char name[] = "loads";
 
@@ -36,6 +38,7 @@ static void print_row(struct job *j, bool best_c_d)
     checked(name, libmlg_best_c_d(a->layout, a->par, j->option[V_LEAST].value, a->V_top, &best));
     a->par[NUMBER_C_D] = best.c_d;
   }
+  hide_search();
   printf("%.10g,%.10g,%.10g,", libmlg_value(a->par, LIBMLG_F_Z), shown_k_s(a->par[NUMBER_K_S]), a->par[NUMBER_B]);
   if (n > 0)
     printf("%.10g,%.10g,%.8g,%.8g,", widest.lo.c_d, widest.hi.c_d, widest.hi.c_d - widest.lo.c_d, widest.hi.c_d / widest.lo.c_d);
@@ -80,8 +83,10 @@ static bool take_widest(struct job *j)
   j->widest = (struct libmlg_widest){ .width = 0. };
   if (!j->over_b)
     width_at(j->a.par[NUMBER_B], j);
-  for (int i = 0; i <= NODES && j->over_b; i++)
+  for (int i = 0; i <= NODES && j->over_b; i++) {
+    watch_tell("width, grid over b", i, NODES + 1);
     width_at(from + i * node, j);
+  }
   if (!(j->widest.width > 0.))
     return false;
   if (j->over_b && isfinite(j->widest.width)) {
@@ -228,6 +233,7 @@ static int run(int argc, char *argv[])
   if (search == LARGEST && !j.option[TO].word)
     j.option[TO].value = 400e3;
   check(&j, search != GIVEN, search != LARGEST);
+  show_searches();
   j.over_b = j.option[B_MOST].word != NULL;
   if (search == LARGEST)
     return print_largest(&j);

@@ -9,6 +9,7 @@
 #include "designs.h"
 #include "device_text.h"
 #include "names.h"
+#include "waiting.h"
 
 static const char name[] = "tolerance";
 
@@ -74,6 +75,7 @@ static void print_design(const struct arguments *a, struct box_at d, double V_le
   struct libmlg_mode mode;
   double part[LIBMLG_MOST_SIDES], beyond[LIBMLG_MOST_PARAMETERS], own[BOX_ELEMENTS];
 
+  hide_search();
   libmlg_box_of(a->layout, a->par, &box);
   d.box = &box;
   checked(name, box_tolerance(&d, &t));
@@ -98,6 +100,7 @@ static void take_best(struct arguments *a, double b_least, double b_most)
 {
   struct libmlg_design best;
 
+  show_searches();
   checked(name, libmlg_most_tolerant(a->layout, a->par, b_least, b_most, 0., a->V_top, &best));
   if (!(best.p > 0.))
     fail(name, MLG_FAILED, "no design has a zero-shimmy interval");
@@ -157,7 +160,9 @@ static int map(int argc, char *argv[])
       node[j * k_s.n + i] = (struct libmlg_design){ .k_s = k_s.from * pow(k_s.to / k_s.from, (double)i / (k_s.n - 1)),
                                                     .b = b.from + (b.n > 1 ? (b.to - b.from) * j / (b.n - 1) : 0.) };
 
+  show_searches();
   checked(name, libmlg_tolerance_map(a.layout, a.par, node, nodes, 0., a.V_top));
+  hide_search();
   printf("# k_s N m/rad, b N m s^2/rad, c_d N m s/rad; p %%\nk_s,b,c_d,p\n");
   for (int i = 0; i < nodes; i++)
     printf("%.8g,%.8g,%.8g,%.6g\n", node[i].k_s, node[i].b, node[i].c_d, 100. * node[i].p);
