@@ -327,6 +327,14 @@ device_words() { # LAYOUT K_S B
   done < <(for choice in widest widest_b; do sampled loads.csv 1 1 'where=width>0' where=choice=$choice columns=layout,choice,F_z,k_s,b,c_lo,c_hi,width,ratio,c_d,zeta,V; done)
 }
 
+@test "random largest loads of results/loads.csv: free of shimmy a little below, by the oracle" {
+  local layout F k_s b c_d
+  while IFS=, read -r layout F k_s b c_d; do
+    # shellcheck disable=SC2046
+    oracle_is_free "$layout" M="$(awk "BEGIN { printf \"%.12g\", 0.9995 * $F / 9.81 - 500 }")" c_d="$c_d" $(device_words "$layout" "$k_s" "$b")
+  done < <(for choice in largest largest_b; do sampled loads.csv 1 6 where=choice=$choice columns=layout,F_z,k_s,b,c_d; done)
+}
+
 @test "random rows of results/tolerance.csv: free inside, shimmy beyond the corner that is named" {
   local layout k_s b c_d p V corner
   while IFS=, read -r layout _ k_s b c_d p V _ corner _; do

@@ -186,6 +186,18 @@ gear() {
   refuses "mlg loads: 'widets': expected NAME=NUMBER; \`mlg help loads\` has its other words" loads l2 widets
 }
 
+@test "a layout that comes second is told where it goes" {
+  refuses "mlg tolerance: 'best': the layout comes first: mlg tolerance li2 best" tolerance best li2
+  refuses "mlg damping: 'best': the layout comes first: mlg damping k_s-(k_d|c_d) best" damping best 'k_s-(k_d|c_d)'
+  refuses "mlg loads: 'widest': the layout comes first: mlg loads l2 widest" loads widest l2 from=1e5
+}
+
+@test "a long search says on a terminal alone how far it is" {
+  script -qec "build/bin/mlg damping l2 best 2>&1 >/dev/null" /dev/null < /dev/null > shown
+  grep -q "damping, grid over b: 1 of 1" shown
+  [ -z "$(build/bin/mlg damping l2 best 2>&1 > /dev/null)" ]
+}
+
 @test "every command says that it cannot write" {
   local words
   for words in 'eigenvalues l1' 'damping l1 V=20' 'draw l1' gear help 'help draw' 'simulate l1 history psi=0.1 t_end=0.01'; do

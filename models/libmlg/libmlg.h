@@ -398,16 +398,16 @@ struct libmlg_ratio { double zeta, c_d, V, k_s, b; };
 int libmlg_least_ratio(int layout, const double par[], double V_least, double V_top, struct libmlg_ratio *least);
 
 /* The c_d whose least ratio is largest, at the k_s and b of par[]: no c_d has a larger one,
- * for at that ratio no interval of c_d is left.  Returns as libmlg_least_ratio, or
- * LIBMLG_UNSURE. */
+ * for at that ratio (or, where what is found there contradicts itself, at one larger by a
+ * thousandth at most) no interval of c_d is left.  Returns as libmlg_least_ratio, or LIBMLG_UNSURE. */
 int libmlg_best_c_d(int layout, const double par[], double V_least, double V_top, struct libmlg_ratio *best);
 
 /* The c_d, k_s and b of the largest least ratio: over all k_s from rigid to 1e-6 k_psi and
- * b_least <= b <= b_most.  Exact in c_d; over k_s and b the best node of a grid of 64 by 33,
- * with an inertance closer in k_s as libmlg_widest has it (at each: is there an interval of c_d at the best ratio so far?), then finer and finer
- * grids about it, down to 1e-10 of the range.  k_s and b come with the six digits to which
- * a flat maximum is known, c_d is the best one there.  Parameters the layout does not use
- * stay. */
+ * b_least <= b <= b_most.  Exact in c_d; over k_s and b from the best node of a grid of 64 by 33,
+ * with an inertance closer in k_s as libmlg_widest has it (at each: has any c_d more than the best
+ * ratio so far?), a climb by slopes, golden section along b with a climb at each, and over k_s in the
+ * end.  The ratio is good to 1e-4 of itself, on the flat ridges that there are along b less so b and k_s; they
+ * come with six digits, c_d is the best one there.  Parameters the layout does not use stay. */
 int libmlg_best_damped(int layout, const double par[], double b_least, double b_most, double V_least, double V_top,
                        struct libmlg_ratio *best);
 
@@ -462,10 +462,10 @@ int libmlg_tolerance(int layout, const double par[], const struct libmlg_box *bo
 struct libmlg_design { double k_s, b, c_d, p; };
 
 /* The k_s, c_d and b, b_least <= b <= b_most, of the largest tolerance in libmlg_box_of: p = 0,
- * there is none.  Over c_d exact; at each b over k_s the best of the nodes of
- * libmlg_widest, then golden section beside it; over b the best of 16, then golden section
- * beside it, to 1/15000 of the range.  All corners are tested at the best of the nodes and at what
- * is found, there at parts of p as well.  Returns 0 or LIBMLG_NONE. */
+ * there is none.  Over c_d exact; over k_s and b from the best node of a grid of those of
+ * libmlg_widest by 16, a climb by slopes, then golden section along b with a climb at each, or over
+ * k_s.  After each all corners are tested at the best design, in the end at parts of p as well; where
+ * one fails that was not asked before, all again.  Returns 0 or LIBMLG_NONE. */
 int libmlg_most_tolerant(int layout, const double par[], double b_least, double b_most, double V_least, double V_top,
                          struct libmlg_design *design);
 
@@ -509,18 +509,17 @@ int libmlg_largest_ratio(int layout, const double par[], double zeta, double V_l
 
 /* The k_s, c_d and b, b_least <= b <= b_most, whose least damping ratio over V_least < V < V_top
  * and over the load F_z (LIBMLG_F_Z) from F_least to F_most, N, is largest: seven loads in equal
- * steps count; V of *best is not set.  Exact in c_d; over k_s and b as libmlg_best_damped, down to 1e-9
- * of the range.  Returns 0, LIBMLG_NONE, LIBMLG_UNSURE or LIBMLG_FAILED: no design has a ratio. */
+ * steps count.  Over k_s and b as libmlg_best_damped.  Returns 0, LIBMLG_NONE, LIBMLG_UNSURE or LIBMLG_FAILED: no design has a ratio. */
 int libmlg_best_over_loads(int layout, const double par[], double F_least, double F_most, double b_least, double b_most,
                            double V_least, double V_top, struct libmlg_ratio *best);
 
-/* A load, N, and a design with an interval there, which at the largest load is about to vanish. */
-struct libmlg_load { double F_z, k_s, b; struct libmlg_interval interval; };
+/* A load, N, and a design that is free of shimmy there, the last one at the largest load. */
+struct libmlg_load { double F_z, k_s, b, c_d; };
 
 /* The largest load up to F_most, N, at which any k_s and b, b_least <= b <= b_most, has a zero-shimmy
- * interval; F_z = 0: none has.  At each k_s the last of 13 loads with one, then bisection above it
- * to 1e-11; over k_s the best of the nodes of libmlg_widest, with 128 equal steps, over b of 16, each with golden
- * section beside it.  Returns 0 or LIBMLG_NONE. */
+ * interval; F_z = 0: none has.  The largest least damping ratio of all designs, as libmlg_best_damped
+ * finds it, is above 0 at the last of 12 loads in equal steps up to F_most; above it the load at which it passes 0, to 1e-9.
+ * A range of loads with designs between two of these 12 is not seen.  Returns 0 or LIBMLG_NONE. */
 int libmlg_largest_load(int layout, const double par[], double F_most, double b_least, double b_most, double V_least,
                         double V_top, struct libmlg_load *load);
 

@@ -93,6 +93,6 @@ int libmlg_largest_load(int layout, const double par[], double F_most, double b_
   }
   load->k_s = design.k_s;
   load->b = design.b;
-  load->interval.lo.c_d = load->interval.hi.c_d = design.c_d;
+  load->c_d = design.c_d;
   return 0;
 }

@@ -29,3 +29,9 @@ cell(words) = system("build/bin/mlg cell " . words)
 number(words) = real(cell("format=%.10e " . words)) # of "4e5" gnuplot makes none
 where(file, column, value) = pick(sprintf("%s '%s=%s'", file, column, value))
 value_of(words) = real(system("build/bin/mlg pick ".words)) # not of "4e5", see number
+
+# The layouts of a table, in its order; their names, and a colour for each
+layouts_of(file) = system("build/bin/mlg pick ".file." columns=layout | grep -v '^#' | awk '!seen[$0]++' | tr '\\n' ' '")
+layout_name(layout) = system("echo ".layout." | tr a-z A-Z")
+colours = "#000000 #1f4fd8 #2a9d5c #e08214 #b5179e #8c564b #7f7f7f #17a2b8 #a8a81c #d62728 #5a7f5a #7b3fa0"
+colour_of(layouts, k) = word(colours, (k - 1) % words(colours) + 1)

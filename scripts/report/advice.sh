@@ -82,7 +82,13 @@ advice_words() { # TABLE [B_MOST]: the bound of b, where one was set
       for (i = 1; i <= n; i++) designs += v["p", i] > 0
       printf "**Why.** %s: %s may be off by %.3g %% at once, and no corner of that box shimmies.", (designs > 1 ? "Of all layouts here it bears the largest error" : n > 1 ? "It is the only layout here that has a design" : "That is its most tolerant design"),
         (v["corner", best] == "" ? "every parameter" : "each of " at_end(v["corner", best], "")), v["p", best]
-      for (i = 1; i <= n; i++) if (i != best) {
+      # of many the next two; the table has all
+      if (n > 4) {
+        for (i = 1; i <= n; i++) if (i != best && v["p", i] + 0 > v["p", second] + 0) second = i
+        for (i = 1; i <= n; i++) if (i != best && i != second && v["p", i] + 0 > v["p", third] + 0) third = i
+        if (third) printf " Next come %s with %.3g %% and %s with %.3g %%.", name(v["layout", second]), v["p", second], name(v["layout", third]), v["p", third]
+      }
+      for (i = 1; i <= n; i++) if (i != best && (n <= 4 || !(v["p", i] > 0))) {
         if (v["p", i] > 0) printf " %s bears %.3g %% at its best.", name(v["layout", i]), v["p", i]
         else printf " %s has no design without shimmy.", name(v["layout", i])
       }

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Designs under loads, tolerances and spreads, layouts L1, L2, LI1 and LI2 (docs/design.md)
+# Designs under loads, tolerances and spreads, every layout (docs/design.md)
 #
 #   scripts/studies/design.sh      all of it
 #   scripts/studies/design.sh runs [PART] | tables | draw
 #
-# PART: loads, elasticities, tolerance, map, probability, auto, advice
+# PART: own, loads, over_b, largest, tolerance, map, elasticities, probability, advice, auto
 #
 # Writes: results/loads.csv, loads_auto.csv, elasticities.csv, tolerance.csv, tolerance_map.csv,
 #         probability.csv;
@@ -89,7 +89,7 @@ loads_of() { # LAYOUT
 }
 
 loads_over_b() { # LAYOUT
-  prefixed "$1,widest_b" loads "$1" widest b_most=300 step=1e4
+  prefixed "$1,widest_b" loads "$1" widest b_most=300 step=2.5e4
   prefixed "$1,damped_b" loads "$1" damped b_most=300 step=3e4
   prefixed "$1,over_b" loads "$1" over b_most=300 from=1.8e5 to=2.1e5 step=5e3
 }
@@ -244,9 +244,10 @@ tables() {
   local layout name
   begin_table results/loads.csv \
     "# Zero-shimmy intervals and damping over the static load. choice: paper, the paper's k_s and b with c_d in the middle" \
-    "# of its interval at 200 kN; widest, at each load the k_s of the widest interval, c_d the best damped one there; damped," \
-    "# at each load the best damped k_s and c_d; over, the one k_s and c_d whose least zeta over 180 to 210 kN is largest; all" \
-    "# at the paper's b. largest: the largest load with any zero-shimmy design, at that b. With _b: the same over b in 0..300." \
+    "# of its interval at 200 kN; own, of layouts without that, the same of their widest interval over k_s and b in 0..300 at" \
+    "# 200 kN; widest, at each load the k_s of the widest interval, c_d the best damped one there; damped, at each load the" \
+    "# best damped k_s and c_d; over, the one k_s and c_d whose least zeta over 180 to 210 kN is largest; these at the paper's" \
+    "# b. largest: the largest load with any zero-shimmy design, at that b. With _b: the same over b in 0..300." \
     "# F_z N; k_s N m/rad (inf: rigid), b N m s^2/rad; c_lo, c_hi, width N m s/rad of the widest interval, ratio c_hi/c_lo;" \
     "# zeta: least over V in 0.3..200 m/s at c_d, V m/s and mode of it, below 0: shimmy. Exact in V and c_d; k_s, b: mlg help loads." \
     layout,choice,F_z,k_s,b,c_lo,c_hi,width,ratio,c_d,zeta,V,shimmy
@@ -255,7 +256,8 @@ tables() {
 
   begin_table results/elasticities.csv \
     "# d log(c_lo), d log(c_hi) and d log(zeta) per d log(parameter), exact; zeta: least over V in 0.3..200 m/s at c_d." \
-    "# design: paper, c_d in the middle of the interval; tolerant, that of tolerance.csv. k_s N m/rad, b N m s^2/rad, c_d" \
+    "# design: paper and own (loads.csv), c_d in the middle of the interval; tolerant, that of tolerance.csv over b where the" \
+    "# layout has one. k_s N m/rad, b N m s^2/rad, c_d" \
     "# N m s/rad; value in the parameter's unit." \
     layout,design,k_s,b,c_d,parameter,value,unit,c_lo,c_hi,zeta
   rows_of elasticities >> "$table.new"
@@ -263,8 +265,9 @@ tables() {
 
   begin_table results/tolerance.csv \
     "# p: F_z, k_t, e, l, h, k_lambda, k_alpha, c_delta, c_psi, k_delta, k_psi, c_d, k_s and b within +-p % at once give no" \
-    "# shimmy at any corner, each tested exactly. design: paper and widest, c_d in the middle of the interval; damped, the best" \
-    "# damped k_s and c_d; tolerant, the k_s and c_d of the largest p; tolerant_b, over b in 0..300 as well (golden section)." \
+    "# shimmy at any corner, each tested exactly. design: paper, widest over k_s at the paper's b, and own (loads.csv), c_d in" \
+    "# the middle of the interval; damped, the best damped k_s and c_d, tolerant, those of the largest p, at the paper's b; with" \
+    "# _b over b in 0..300 as well." \
     "# k_s N m/rad, b N m s^2/rad, c_d N m s/rad; V m/s and shimmy: what grows beyond p; corner: the first that does;" \
     "# failing: of so many points of a Halton sequence in the box." \
     layout,design,k_s,b,c_d,p,V,shimmy,corner,corners,sample,failing
@@ -281,7 +284,7 @@ tables() {
   begin_table results/probability.csv \
     "# Probability of shimmy when the parameters spread as docs/examples/spread says (assumed): 100000 samples, each decided" \
     "# exactly; lo, hi: Wilson's interval at 95 %. V m/s, any: at one speed or another up to 200 m/s. design: as in" \
-    "# tolerance.csv." \
+    "# elasticities.csv." \
     layout,design,V,count,probability,lo,hi
   rows_of probability >> "$table.new"
   end_table
@@ -310,7 +313,7 @@ tables() {
     cat << 'END'
 # Advice: which device for this gear
 
-The paper's gear, layouts L1, L2, LI1 and LI2, b up to 300 N m s²/rad. Made by `make design` from
+The paper's gear, every layout of models/, b up to 300 N m s²/rad. Made by `make design` from
 [advice.csv](advice.csv); what the words mean: [docs/design.md](../docs/design.md).
 
 END

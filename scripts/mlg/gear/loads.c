@@ -164,7 +164,7 @@ static int print_largest(struct job *j)
     fail(name, MLG_FAILED, "no design has a zero-shimmy interval at any load looked at, up to F_z = %g N", j->option[TO].value);
   printf("# F_z N, k_s N m/rad, b N m s^2/rad, c_d N m s/rad%s\nF_z,k_s,b,c_d\n%.9g,%.10g,%.8g,%.8g\n",
          load.F_z >= j->option[TO].value ? "; the largest looked at has an interval" : "", load.F_z, shown_k_s(load.k_s), load.b,
-         sqrt(load.interval.lo.c_d * load.interval.hi.c_d));
+         load.c_d);
   return output_status(name);
 }
 
@@ -263,7 +263,8 @@ const struct command command_loads = {
     "                                     the one device whose least damping ratio over these loads\n"
     "                                     is largest\n"
     "  mlg loads li2 largest b_most=300   one row: the largest load, up to `to` (4e5), at which any\n"
-    "                                     device has a zero-shimmy interval\n"
+    "                                     device has a zero-shimmy interval, above the last of 12 in\n"
+    "                                     equal steps with one\n"
     "OPTION: from=1e5, to=2.5e5, step=5e3, V_least=0.3; with b_most (b_least=0) b is looked for as\n"
     "well (libmlg.h says how).  CSV:\n"
     "  F_z, k_s, b                N, N m/rad (inf: rigid), N m s^2/rad\n"
