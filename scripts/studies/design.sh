@@ -89,7 +89,7 @@ loads_of() { # LAYOUT
 }
 
 loads_over_b() { # LAYOUT
-  prefixed "$1,widest_b" loads "$1" widest b_most=300 step=2.5e4
+  prefixed "$1,widest_b" loads "$1" widest b_most=300 step=5e4
   prefixed "$1,damped_b" loads "$1" damped b_most=300 step=3e4
   prefixed "$1,over_b" loads "$1" over b_most=300 from=1.8e5 to=2.1e5 step=5e3
 }
