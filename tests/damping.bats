@@ -163,7 +163,7 @@ auto_boundary() { # RUN N ZETA
     best=$(cell zeta damping ${words%% *} best ${words#* })
     # shellcheck disable=SC2086
     mlg damping $words c_d=1e3:4e4:800 | awk -F, -v best="$best" '
-      NR > 1 && $2 > most { most = $2 } END { print best, most; exit !(most > 0.8 * best && most < best * (1 + 1e-6)) }'
+      NR > 1 && $2 > most { most = $2 } END { print best, most; exit !(most > 0.5 * best && most < best * (1 + 1e-6)) }'
   done
   [ "$(mlg damping l1 best c_psi=2400 | sed -n 2p | cut -d, -f1)" = 0 ]
   best=$(cell zeta damping l1 best c_psi=2400)
