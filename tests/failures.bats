@@ -540,6 +540,26 @@ readonly minutes=(DSMAX=1e-6 NMX=99999)
   [ "$(cat one two | grep -c ' ms$')" -eq 1 ] && [ "$(cat one two | wc -l)" -eq 1 ]
 }
 
+@test "a table that was cut since it was made does not go into those of results/" {
+  local damage table='. scripts/auto/lib.sh; tables() { echo these > results/cut; }; runs_all() { made cut.one models/mlg.h -- seq 9; }; main cut'
+  mkdir -p results
+  for damage in 'head -n 3 build/tables/cut.one.csv > cut && mv cut build/tables/cut.one.csv' ': > build/tables/cut.one.csv' 'rm build/tables/cut.one.csv' \
+    ': > build/stamps/made.cut.one'; do
+    MLG_BUILT=yes bash -c "$table runs"
+    MLG_BUILT=yes bash -c "$table tables"
+    echo those > results/cut
+    eval "$damage"
+    run -2 env MLG_BUILT=yes bash -c "$table tables"
+    [[ $output == "build/tables/cut.one.csv is not what was made; \`"*" runs\` makes it again" ]] || { echo "$output"; false; }
+    [ "$(cat results/cut)" = those ]
+  done
+  MLG_BUILT=yes bash -c "$table runs"
+  touch models/mlg.h && echo >> models/mlg.h # of other sources: whole all the same
+  MLG_BUILT=yes bash -c "$table tables"
+  [ "$(cat results/cut)" = these ]
+  cp "$ROOT/models/mlg.h" models/
+}
+
 @test "two makes at once in one tree; a header that changed" {
   local pid made=(build/bin/mlg build/models/l1.exe)
   objects

@@ -122,6 +122,17 @@ make_it() { # as made; in its variables
   printf '  %-28s %5d ms\n' "$(basename "$table" .csv)" $(((${EPOCHREALTIME/./} - started) / 1000))
 }
 
+# Whether the tables that `made` made for the figure are still that: a cut one would be left out unseen.
+check_made() {
+  local stamp names=() damaged
+  for stamp in "build/stamps/made.$figure".*; do
+    case $stamp in *.began | *.lock | *'*') ;; *) names+=("${stamp#build/stamps/}") ;; esac
+  done
+  damaged=$([ ${#names[@]} -eq 0 ] || mlg stamp whole "${names[@]}") && return
+  damaged=${damaged%%$'\n'*}
+  fail "build/tables/${damaged#made.}.csv is not what was made; \`$0 runs\` makes it again" 2
+}
+
 # sources LAYOUT FILE...: the equations of a layout and these, for made
 sources() {
   printf '%s\n' models/{mlg,elements,network,gear,jacobian}.h models/gear.c "models/$1.c" models/libmlg/{libmlg,layout}.c "${@:2}"
@@ -215,6 +226,7 @@ main() { # FIGURE [runs [PART...] | tables | draw]
   touch "build/stamps/$figure.began"
   if [ $# -lt 3 ]; then set -- "$figure" "$step" "${parts[@]}"; fi
   case $step in runs | all) for part in "${@:3}"; do "runs_$part"; done ;; esac
+  if [ "$step" = tables ]; then check_made; fi
   case $step in tables | all) tables ;; esac
   if [ "$step" = all ]; then scripts/report/collect.sh; fi
   case $step in draw | all) draw ;; esac

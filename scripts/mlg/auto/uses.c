@@ -100,8 +100,8 @@ done:
   return status;
 }
 
-/* Whether one line still holds. */
-static int line_fits(char *line)
+/* Whether one line still holds; only_made: or is of no file in build/tables. */
+static int line_fits(char *line, int only_made)
 {
   char *tab = strchr(line, '\t'), *blank = strchr(line, ' '), *end;
   struct text look = TEXT_NONE, why = TEXT_NONE;
@@ -114,6 +114,8 @@ static int line_fits(char *line)
   sum = strtoull(line, &end, 16);
   if (*end)
     return 0;
+  if (only_made && strncmp(tab + 1, "build/tables/", strlen("build/tables/")) != 0)
+    return 1;
   look_of_file(tab + 1, &look);
   fits = strcmp(look.at, blank + 1) == 0 || (sum_of_file(tab + 1, &now, &why) == 0 && now == sum);
   text_free(&look);
@@ -121,7 +123,7 @@ static int line_fits(char *line)
   return fits;
 }
 
-static int fits(const char *name)
+static int fits(const char *name, int only_made)
 {
   char *file = stamp_file(name);
   struct text text = TEXT_NONE, why = TEXT_NONE;
@@ -135,7 +137,7 @@ static int fits(const char *name)
     if (strcmp(t, "end") == 0)
       whole = !*next;
     else
-      good = line_fits(t);
+      good = line_fits(t, only_made);
   }
   text_free(&text);
   text_free(&why);
@@ -174,11 +176,11 @@ static int write_with_journal(const char *name, char *files[], int n)
 
 static int run(int argc, char *argv[])
 {
-  const int write = argc > 2 && strcmp(argv[1], "write") == 0;
+  const int write = argc > 2 && strcmp(argv[1], "write") == 0, whole = argc > 2 && strcmp(argv[1], "whole") == 0;
   int status = MLG_OK;
 
-  if (argc < 3 || (!write && strcmp(argv[1], "fits") != 0)) {
-    fputs("usage: mlg stamp fits NAME... | mlg stamp write NAME [FILE...]\n", stderr);
+  if (argc < 3 || (!write && !whole && strcmp(argv[1], "fits") != 0)) {
+    fputs("usage: mlg stamp fits NAME... | mlg stamp whole NAME... | mlg stamp write NAME [FILE...]\n", stderr);
     return MLG_BAD_INPUT;
   }
   for (int i = 2; i < (write ? 3 : argc); i++)
@@ -189,7 +191,7 @@ static int run(int argc, char *argv[])
   if (write)
     return write_with_journal(argv[2], argv + 3, argc - 3);
   for (int i = 2; i < argc; i++)
-    if (!fits(argv[i])) {
+    if (!fits(argv[i], whole)) {
       puts(argv[i]);
       status = MLG_FAILED;
     }
@@ -197,10 +199,11 @@ static int run(int argc, char *argv[])
 }
 
 const struct command command_stamp = {
-  "stamp", "fits NAME... | write NAME [FILE...]",
+  "stamp", "fits NAME... | whole NAME... | write NAME [FILE...]",
   "with what a figure was made, and whether that still is so",
   "write: build/stamps/NAME gets the sums of each FILE and of all files that commands of mlg\n"
   "used since MLG_USES names their list.  fits: prints each NAME of whose files one is no\n"
-  "longer what it was; status 1 when there is such a NAME.\n",
+  "longer what it was; status 1 when there is such a NAME.  whole: of the files in build/tables\n"
+  "alone, whatever became of what they were made of.\n",
   run,
 };
