@@ -163,14 +163,15 @@ const struct command command_explore = {
   .usage = "LAYOUT [QUANTITY ...] [NAME=VALUE ...] [free=NAME] [begin=FILE] [b_most=300] [starts=12]",
   .summary = "the best designs of a layout or network, by repeated starts",
   .details =
-    "QUANTITY: zeta, width, ratio, load (over all F_z), tolerance; all of them without.  k_s from 1e4 (from k_d,\n"
-    "where k_s alone carries a static torque) to 1e9 N m/rad, b from 0 to b_most and c_d from 10 to\n"
-    "1e7 N m s/rad: climbs by the slopes of the modes, or of the corners, that limit a design\n"
+    "QUANTITY: zeta, width, ratio, load (over all F_z), tolerance; all of them without.  k_s from 1e4\n"
+    "(from k_d, where k_s alone carries a static torque) to 1e9 N m/rad, b from 0 to b_most and c_d\n"
+    "from 10 to 1e7 N m s/rad: climbs by the slopes of the modes, or of the corners, that limit a design\n"
     "(models/libmlg/climb.h) from random places, each at its best c_d, and from the designs that were\n"
     "best before; intervals exactly over k_s, by golden section over b.  free=c_2 searches the element\n"
     "c_2=300 of a network as well, springs, dampers and inerters in the same ranges; then intervals by\n"
-    "an evolution strategy (models/libmlg/cma.h), and nothing but zeta where no design is damped.  A tolerance is that of such an\n"
-    "element, too.  With c_d, and k_s and b, the search begins at that design as well, with begin=FILE at\n"
+    "an evolution strategy (models/libmlg/cma.h), and nothing but zeta where no design is\n"
+    "damped.  A tolerance is that of such an element, too.  With c_d, and k_s and b, the search begins\n"
+    "at that design as well, with begin=FILE at\n"
     "each row of a table with the columns that this command prints.\n"
     "CSV, a row for each, none where there is no interval:\n"
     "  zeta          the largest least damping ratio over V_least=0.3 < V < V_top\n"

@@ -220,7 +220,7 @@ static int run(int argc, char *argv[])
 
 const struct command command_tolerance = {
   .name = name,
-  .usage = "LAYOUT [best | map] [NAME=VALUE ...] [b_least=0 b_most=VALUE] [vary=NAME] [sample=10000]",
+  .usage = "LAYOUT [best | map] [NAME=VALUE ...] [b_least=0 b_most=B] [vary=NAME] [sample=10000]",
   .summary = "the tolerance of all parameters within which a design is free of shimmy",
   .details =
     "p: F_z, k_t, e, l, h, k_lambda, k_alpha, c_delta, c_psi, k_delta, k_psi, c_d and, where the\n"
