@@ -131,8 +131,7 @@ page() { # FOLDER TITLE
 [ $# -ge 1 ] || fail "$usage" 2
 case $1 in help | --help | -h) echo "$usage; docs/study.md" && exit ;; esac
 
-# shellcheck disable=SC2119 # all
-build
+case " ${*:2} " in *" exact "*) build build/bin/mlg ;; *) build models ;; esac
 case $1 in
   compare) shift && compare "$@" ;;
   *=*) fail "study: '$1': expected a name first; $usage" 2 ;;

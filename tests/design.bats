@@ -145,6 +145,12 @@ corner_words() {
   local F c_d k_s best f
   near "$(mlg loads l2 k_s=7e5 from=150e3 to=190e3 step=20e3 | sed -n 4p | cut -d, -f4)" \
     "$(cell c_lo intervals l2 k_s=7e5 F_z=170e3)" 1e-9 "c_lo at 170 kN"
+  # a gear file's own load is in no way
+  printf 'PAR = {"F_z": 150000 N}\n' | tr '"' "'" > gear
+  mlg loads l2 gear=gear k_s=7e5 c_d=8e3 from=150e3 to=190e3 step=20e3 > rows
+  mlg loads l2 k_s=7e5 c_d=8e3 from=150e3 to=190e3 step=20e3 | cmp - rows
+  mlg loads l1 largest gear=gear > rows
+  mlg loads l1 largest | cmp - rows
   # at its largest load a layout bears, and no more
   F=$(cell F_z loads l1 largest)
   near "$F" 201251.17 1e-7 "largest load of L1"
@@ -213,6 +219,7 @@ corner_words() {
   printf 'F_z uniform 1e3 2e3\n' > light
   printf 'm_D uniform 9e5 1e6\nF_z normal 2e5 1\n' > heavy
   printf 'g_psi normal 0.01 0.001\n' > play
+  printf 'c_delta normal 0 10%%\n' > mixed
   while read -r slip; do
     # shellcheck disable=SC2086 # one word for each argument
     run --separate-stderr build/bin/mlg $slip
@@ -281,6 +288,7 @@ probability l1 spread=wide
 probability l1 spread=light
 probability l1 spread=heavy
 probability l1 spread=play
+probability l1 spread=mixed
 probability l1 spread=.
 END
 }

@@ -122,6 +122,32 @@ same_table() {
     END { exit !(family == other && same != own) }'
 }
 
+@test "a spring that is rigid, or too stiff to tell, is none" {
+  local k_s net without
+  for k_s in inf 1e15 1e18 1e25; do
+    while read -r net without; do
+      mlg damping "$net" k_s=$k_s b=60 c_d=1e4 F_z=1.2e5 > answer
+      mlg intervals "$net" k_s=$k_s b=60 F_z=1.2e5 >> answer
+      mlg damping "$without" b=60 c_d=1e4 F_z=1.2e5 > right
+      mlg intervals "$without" b=60 F_z=1.2e5 >> right
+      same_table 1e-6 answer right || { echo "$net k_s=$k_s"; cat answer right; return 1; }
+    done <<'END'
+(k_s-(c_d|b))|k_d|c_2=200 c_d|b|k_d|c_2=200
+(k_s-c_d-b)|k_d|c_2=200 (c_d-b)|k_d|c_2=200
+((k_s-(k_d|c_d))|b)-k_2=8e5 (k_d|c_d|b)-k_2=8e5
+k_s-(k_d|(c_d-b)) k_d|(c_d-b)
+END
+    for net in li2 li3 li4 li7; do
+      mlg intervals $net k_s=$k_s b=60 F_z=1.2e5 > answer
+      mlg intervals $net k_s=inf b=60 F_z=1.2e5 | diff - answer
+    done
+    mlg damping '(k_s|b)-(k_d|c_d)' k_s=$k_s b=60 c_d=3e3 > answer
+    mlg damping li2 k_s=inf b=60 c_d=3e3 > right
+    same_table 1e-6 answer right
+  done
+  mlg widest '(k_s-(c_d|b=60))|k_d|c_2=200' e=0.08 l=0.25 k_psi=2.6e5 c_delta=200 F_z=1.2e5 | tail -n 1 | grep -q '^inf,2132.77.*,rigid$'
+}
+
 @test "dampers and inerters alone in series leave no root at 0 behind" {
   mlg eigenvalues 'k_d|(c_d-b)' V=40 b=10 c_d=2500 | awk -F, 'NR > 1 && $1 ^ 2 + $2 ^ 2 < 1e-12 { exit wrong = 1 } END { exit wrong || NR != 9 }'
   near "$(cell zeta damping 'k_d|(c_d-b)' b=10 c_d=2500)" "$(cell zeta damping 'k_d|(b-c_d)' b=10 c_d=2500)" 1e-9 zeta

@@ -2,6 +2,7 @@
 #include "device_text.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -155,7 +156,7 @@ static struct network stiffness(const struct part *p, const double par[])
   const double value = p->slot >= 0 ? par[p->slot] : p->value;
 
   switch (p->kind) {
-  case SPRING: return spring(value);
+  case SPRING: return spring(value >= MLG_RIGID ? INFINITY : value);
   case DAMPER: return damper(value);
   case INERTER: return inerter(value);
   case PARALLEL: return parallel(stiffness(p->a, par), stiffness(p->b, par));

@@ -229,10 +229,12 @@ cycles() {
   done
   rm -f "$folder"/{history,torus,torus_ends}.*.csv
   run_jobs "${jobs[@]}"
+  say "best damped designs$([ "$exact" = yes ] || echo ", diagrams over V")"
   gather branches layout,which,c_d,branch,type,V,psi_max,dstar_max,stable,whole
   gather cycles layout,which,c_d,branch,shimmy,closed,V_from,V_to,psi_max,dstar_max,torus,folds,stable,unstable,slip,roll,born,whole,end,branch_points
   find "$folder/parts" -name '*.best' | sort | xargs -r cat >> "$folder/designs.csv"
   run_jobs "${after[@]}"
+  say "most tolerant designs$([ "$exact" = yes ] || echo ", torus curves")"
   find "$folder/parts" -name '*.tolerant' | sort | xargs -r cat >> "$folder/designs.csv"
   run_jobs "${decays[@]}"
   gather_advice

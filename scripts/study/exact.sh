@@ -119,7 +119,7 @@ designs() { # LAYOUT
   ! has "$layout" b || {
     made "limits.$layout.csv" limits "$layout" "${gear[@]}" V_top="$top" b_most="$b_most" b_step="$(awk "BEGIN { print $b_most / 15 }")" \
       tolerance="$(awk "BEGIN { print $b_most / 1000 }")" || return
-    row=$(grep -v -e '^#' -e '^layout' -e ',no interval' "$folder/limits.$layout.csv" | sort -t , -k 6,6g | tail -n 1)
+    row=$(grep -v -e '^#' -e '^layout' -e ',no interval' "$folder/limits.$layout.csv" | sort -t , -k 6,6gr -k 2,2g | sed 1q) # of equal ones that of the least b
     IFS=, read -r _ b k_s _ _ _ _ _ limit <<< "$row"
     [ -z "$row" ] || design "$layout" widest "$(inside "$layout" "$k_s" "$b")" "$b" "$limit"
   }

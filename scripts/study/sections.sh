@@ -51,7 +51,7 @@ designs_section() {
   echo "All designs by the width of their interval; c_d in N m s/rad, V in m/s; least ζ is at the c_d beside it, the best damped one at that k_s and b, of the most tolerant design the advised one, of yours your own:"
   awk -F, -f scripts/study/ranked.awk "$folder/designs.csv" > "$folder/ranked.csv"
   table ranked.csv "$designs_columns"
-  ! grep -q ',widest,\|,widest at' "$folder/designs.csv" ||
+  ! grep -q ',widest[^,]*,[0-9]' "$folder/designs.csv" || # none that is rigid
     echo "At the very k_s of a widest interval a region of shimmy is about to be born, or two bounds meet: keep k_s a few per cent off it. An interval says that nothing grows; how fast a disturbance dies is another matter, and the ratio ζ tells it."
   echo
   [ ! -s "$folder/widths.svg" ] || printf '![widest interval over b](widths.svg)\n\nThe largest width over k_s for each inertance up to b = %s N m s²/rad, three times J_zeta unless b_most is given.\n\n' "$(number "$b_most")"

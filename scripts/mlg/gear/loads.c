@@ -187,7 +187,7 @@ static void check(struct job *j, bool searches, bool over_loads)
   check_speeds(&j->a, o[V_LEAST].value);
   if (j->a.word[NUMBER_M] && j->a.word[NUMBER_M] != j->a.gear_word)
     refuse(name, j->a.word[NUMBER_M], "the load is the axis: from, to, step");
-  if (j->a.F_z_word)
+  if (j->a.F_z_word && j->a.F_z_word != j->a.gear_word)
     refuse(name, j->a.F_z_word, "the load is the axis: from, to, step");
   if (!(o[FROM].value < o[TO].value))
     fail(name, MLG_BAD_INPUT, "from = %g is not below to = %g N", o[FROM].value, o[TO].value);

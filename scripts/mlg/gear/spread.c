@@ -23,6 +23,11 @@ static _Noreturn void slip(const struct line *at, const char *format, ...)
   refuse_file(at->file, at->number, format, values);
 }
 
+static int is_per_cent(const char *word)
+{
+  return word[strlen(word) - 1] == '%';
+}
+
 /* A number, or one with % of the design's value: `around` is added to it, or 0. */
 static double number(const struct line *at, const char *word, double value, double around)
 {
@@ -37,7 +42,7 @@ static double number(const struct line *at, const char *word, double value, doub
     text[length - 1] = '\0';
   if (!is_number(text, &x))
     slip(at, "'%.40s' is no finite number, nor one with %%", word);
-  if (word[length - 1] != '%')
+  if (!is_per_cent(word))
     return x;
   if (!(value < MLG_RIGID) || value == 0.)
     slip(at, "'%.40s': per cent of a value that is %s", word, value == 0. ? "0" : "infinite");
@@ -93,6 +98,8 @@ static struct spread read_line(const struct line *at, const struct arguments *a,
   s.normal = strcmp(kind, "normal") == 0;
   if (!s.normal && strcmp(kind, "uniform") != 0)
     slip(at, "'%s': expected uniform or normal", kind);
+  if (is_per_cent(first) != is_per_cent(second))
+    slip(at, "%s %s %s %s: expected both in per cent of the design's value, or both in SI units", name, kind, first, second);
   const double value = libmlg_value(a->par, s.parameter);
 
   s.a = number(at, first, value, value);
