@@ -96,7 +96,7 @@ const struct command command_probability = {
     "  k_t   normal   7.0e5  3.5e4     mean and standard deviation, SI units\n"
     "  F_z   uniform  180e3  210e3     from, to\n"
     "  c_d   uniform  -10%   10%       per cent of the design's own value\n"
-    "  e     normal   0%     5%\n"
+    "  e     normal   0%     5%        in SI units or in per cent, both of a line alike\n"
     "The parameters are independent; what falls outside a parameter's physical range is drawn again.\n"
     "Without c_d the design has the middle of its widest zero-shimmy interval.  Each sample is decided\n"
     "exactly: all Hopf speeds at its c_d, and the eigenvalues between them.  CSV:\n"
