@@ -46,7 +46,7 @@ advice_loads() { # LAYOUT C_D WORD...
 }
 
 # The page of a table of designs, without its title.
-advice_words() { # TABLE [B_MOST]: the bound of b, where one was set
+advice_words() { # TABLE [B_MOST]: the bound of b, where one was set and b was not searched for the tolerance
   awk -F, -v b_most="${2:-}" '
     function name(l) { return toupper(l) }
     function stiff(k) { return k == "inf" ? "rigid" : sprintf("%.4g N m/rad", k) }
@@ -80,7 +80,7 @@ advice_words() { # TABLE [B_MOST]: the bound of b, where one was set
       }
       printf "**Take %s.**%s\n\n", device(best), (b_most != "" && v["b", best] > 0.999 * b_most ? " b is at its bound, and a larger one may do more." : "")
       for (i = 1; i <= n; i++) designs += v["p", i] > 0
-      printf "**Why.** %s: %s may be off by %.3g %% at once, and no corner of that box shimmies.", (designs > 1 ? "Of all layouts here it bears the largest error" : n > 1 ? "It is the only layout here that has a design" : "That is its most tolerant design"),
+      printf "**Why.** %s: %s may be off by %.3g %% at once, and no corner of that box shimmies.", (designs > 1 ? (b_most != "" ? "Of the designs below" : "Of all layouts here") " it bears the largest error" : n > 1 ? "It is the only layout here that has a design" : "That is its most tolerant design"),
         (v["corner", best] == "" ? "every parameter" : "each of " at_end(v["corner", best], "")), v["p", best]
       # of many the next two; the table has all
       if (n > 4) {
@@ -89,7 +89,7 @@ advice_words() { # TABLE [B_MOST]: the bound of b, where one was set
         if (third) printf " Next come %s with %.3g %% and %s with %.3g %%.", name(v["layout", second]), v["p", second], name(v["layout", third]), v["p", third]
       }
       for (i = 1; i <= n; i++) if (i != best && (n <= 4 || !(v["p", i] > 0))) {
-        if (v["p", i] > 0) printf " %s bears %.3g %% at its best.", name(v["layout", i]), v["p", i]
+        if (v["p", i] > 0) printf " %s bears %.3g %%%s.", name(v["layout", i]), v["p", i], (b_most != "" ? "" : " at its best")
         else printf " %s has no design without shimmy.", name(v["layout", i])
       }
       if (v["b", best] > 0) for (i = 1; i <= n; i++) if (!(v["b", i] > 0) && v["p", i] > simple) { simple = v["p", i]; other = i }
