@@ -124,7 +124,7 @@ same_table() {
 
 @test "a spring that is rigid, or too stiff to tell, is none" {
   local k_s net without
-  for k_s in inf 1e15 1e18 1e25; do
+  for k_s in inf 1e16 1e18 1e25; do
     while read -r net without; do
       mlg damping "$net" k_s=$k_s b=60 c_d=1e4 F_z=1.2e5 > answer
       mlg intervals "$net" k_s=$k_s b=60 F_z=1.2e5 >> answer

@@ -340,6 +340,8 @@ const struct command command_passive = {
     "of order 1, 2, ... to `order`: every positive-real impedance of that order, as a spring beside\n"
     "a port-Hamiltonian system, by the BFGS method (scripts/mlg/gear/passive.c) from so many\n"
     "starts, three times as many for orders 1 and 2, half as many for 5 and 6.  K_least=0: any device.\n"
+    "A search, no proof: what it finds is a bound from below, also where many starts met; hold it against\n"
+    "`mlg damping LAYOUT best b_most=VALUE` of this gear.\n"
     "CSV, a row for each order, printed as it is found:\n"
     "  zeta          the least damping ratio over V_least < V < V_top, at its largest\n"
     "  V, frequency_hz, shimmy  of the mode that has it\n"
