@@ -78,6 +78,12 @@ EOF
   done
 }
 
+@test "where a real eigenvalue grows with every device, the best one says so, over k_s and b as well" {
+  [ "$(mlg damping li4 best e=-1 b=0 | sed -n 2p | cut -d, -f1,3)" = inf,-1 ]
+  [ "$(mlg damping li4 best e=-1 b_most=300 | sed -n 2p | cut -d, -f2,4)" = inf,-1 ]
+  build/bin/eigen-li4 eigenvalues e=-1 V=0.3 c_d=2455 | awk 'NR > 1 && $2 == 0 && $1 > 0 { n++ } END { exit !n }'
+}
+
 @test "zeta is 0 on Hopf points and changes its sign there" {
   local layout case V n=0
   for case in "l1 c_d=3.6e4" "l2 c_d=2e4 k_s=9e5" "li1 c_d=2e4 k_s=6e5 b=100" "li2 c_d=3e4 k_s=1e6 b=50"; do

@@ -447,6 +447,13 @@ int libmlg_best_damped(int layout, const double par[], double b_least, double b_
     climb_on(&s, 1. / NODES_B);
     to_known_digits(&s);
   }
+  if (!(s.best.zeta > -1.) && s.status == 0) { /* a real eigenvalue grows with any: par's own stands for them */
+    const int status = libmlg_best_c_d(layout, par, V_least, V_top, best);
+
+    if (best->k_s >= MLG_RIGID)
+      best->k_s = INFINITY;
+    return status;
+  }
   *best = s.best;
   return s.best.zeta > -1. ? 0 : s.status;
 }
