@@ -27,19 +27,74 @@ runs_small() {
   done < <(each_network)
 }
 
-# NUMBER NETWORK FREE of each of the larger family that differs from those before it
+# NUMBER NETWORK FREE of each of the larger family that differs from those before it, those of the largest zeta on record first
 each_larger() {
   made networks.larger models/libmlg/device_text.c scripts/mlg/gear/{networks,network_same}.c -- mlg networks larger same >&2
-  awk -F, '/^[0-9]/ && $5 == $1 { print $1, $2, $4 }' build/tables/networks.larger.csv
+  awk -F, '
+    /^[0-9]/ && $5 == $1 { network[++n] = $1; row[$1] = $1 " " $2 " " $4 }
+    $1 == "zeta" && $3 in row { print row[$3]; delete row[$3] }
+    END { for (i = 1; i <= n; i++) if (network[i] in row) print row[network[i]] }' \
+    build/tables/networks.larger.csv results/networks_larger.csv
 }
 
-# Two dampers, or two springs beside k_d: two starts
-runs_larger() {
+# Designs to begin at: those of results/networks.csv of each smaller network that this one becomes at an end of an element, and
+# its own that were found before, of this quantity and of zeta
+begin_larger() { # NUMBER FREE QUANTITY
+  local begin=build/tables/networks.begin.$3.$1.csv
+  awk -F, -v OFS=, -v number="$1" -v free="$2" -v quantity="$3" '
+    function low(element) { return element ~ /^k/ ? 1e4 : 10 }
+    function high(element) { return element ~ /^k/ ? 1e9 : 1e7 }
+    BEGIN { print "k_s,b,c_lo,c_hi," free }
+    FILENAME ~ /limits/ { if ($1 == number) { m++; element[m] = $3; end[m] = $4 == "inf" ? high($3) : low($3); limit[m] = $5 } next }
+    FILENAME ~ /results/ && ($1 == quantity || $1 == "zeta" && quantity != "width" && quantity != "ratio") {
+      for (i = 1; i <= m; i++) if (limit[i] == $3) {
+        k_s = $7 == "" ? 1e6 : $7; b = $8 + 0; lo = $9; hi = $10; other = end[i]
+        if (element[i] == "k_s") { other = k_s; k_s = end[i] }
+        if (element[i] == "c_d") { other = sqrt(lo * hi); lo = hi = end[i] }
+        print k_s, b, lo, hi, other } }
+    FILENAME ~ /larger/ && ($1 == "zeta" || $1 == "load") { print $3 ~ /inf/ ? 1e6 : $3, $4, $5, $6, $10 }' \
+    build/tables/networks.limits.csv results/networks.csv "${@:4}" > "$begin.new"
+  cmp -s "$begin.new" "$begin" || mv "$begin.new" "$begin"
+  rm -f "$begin.new"
+  echo "$begin"
+}
+
+# One quantity of networks NUMBER NETWORK FREE of standard input: starts at random beside those at designs that are given
+search_larger() { # QUANTITY STARTS FILE...
+  local quantity=$1 starts=$2 number network free begin before file
+  while read -r number network free; do
+    before=()
+    for file in zeta load; do
+      if [ "$file" != "$quantity" ] && [ "$quantity $file" != "zeta load" ] && [ -e "build/tables/networks.larger.$file.$number.csv" ]; then
+        before+=("build/tables/networks.larger.$file.$number.csv")
+      fi
+    done
+    begin=$(begin_larger "$number" "$free" "$quantity" "${before[@]}")
+    made "networks.larger.$quantity.$number" "${search[@]}" "${@:3}" "$begin" -- \
+      mlg explore "$network" "$quantity" free="$free" starts="$starts" begin="$begin"
+  done
+}
+
+# Of networks NUMBER NETWORK FREE those whose value of a quantity is above LEAST, by falling value
+larger_above() { # QUANTITY LEAST
   local number network free
   while read -r number network free; do
-    made "networks.larger.$number" "${search[@]}" -- \
-      mlg explore "$network" zeta width free="$free" starts=2
-  done < <(each_larger)
+    awk -F, -v quantity="$1" -v least="$2" -v number="$number" -v network="$network" -v free="$free" '
+      $1 == quantity && $2 > least { print number, network, free, $2 }' "build/tables/networks.larger.$1.$number.csv"
+  done | sort -k4,4gr -k1,1n | cut -d ' ' -f 1-3
+}
+
+# Two dampers, or two springs beside k_d: all quantities of those that have a damping ratio above 0, the tolerance of those
+# that bear more than LI1 does
+runs_larger() {
+  made networks.limits models/libmlg/device_text.c scripts/mlg/gear/{networks,network_limits}.c -- mlg networks larger limits
+  each_larger | search_larger zeta 2
+  each_larger | larger_above zeta 0 > build/tables/networks.damped.txt
+  search_larger load 2 models/libmlg/free.c scripts/mlg/gear/explore_load.c < build/tables/networks.damped.txt
+  search_larger width 2 scripts/mlg/gear/explore_interval.c < build/tables/networks.damped.txt
+  search_larger ratio 2 scripts/mlg/gear/explore_interval.c < build/tables/networks.damped.txt
+  larger_above load 214.2e3 < build/tables/networks.damped.txt > build/tables/networks.strong.txt
+  search_larger tolerance 1 models/libmlg/{free,slopes,tolerance}.c scripts/mlg/gear/explore_tolerance.c < build/tables/networks.strong.txt
 }
 
 # Rows of one quantity by falling value, with rank, network, layout and static stiffness
@@ -58,15 +113,16 @@ ranked() { # QUANTITY
 
 # The same of the larger family
 ranked_larger() { # QUANTITY
-  local number network free
+  local number network free found
   while read -r number network free; do
-    [ -e "build/tables/networks.larger.$number.csv" ] || continue # not searched yet
+    found=build/tables/networks.larger.$1.$number.csv
+    [ -e "$found" ] || continue # not searched
     awk -F, -v OFS=, -v quantity="$1" -v number="$number" -v network="$network" -v free="$free" '
       $1 == quantity {
         sub(/=[0-9.e]+/, "", network)
         print number, network, free, sprintf("%.7g", $2), $3 == "inf" ? "" : sprintf("%.7g", $3),
           network ~ /(^|[^_a-z])b($|[^_a-z])/ ? sprintf("%.6g", $4) : "", sprintf("%.7g", $10), sprintf("%.7g", $5),
-          sprintf("%.7g", $6), $7, $8, ($7 > 1 ? "yes" : "no") }' "build/tables/networks.larger.$number.csv"
+          sprintf("%.7g", $6), sprintf("%.6g", $11), $7, $8, ($7 > 1 ? "yes" : "no") }' "$found"
   done < <(each_larger) | sort -t, -k4,4gr -k1,1n | awk -v OFS=, -v quantity="$1" '{ print quantity, NR, $0 }'
 }
 
@@ -89,11 +145,13 @@ tables() {
   begin_table results/networks_larger.csv \
     "# Series-parallel networks with a second damper c_2, or with a spring k_2 beside k_s, of those with the same dynamic stiffnesses" \
     "# the first (docs/networks.md), searched as results/networks.csv: k_2 as k_s, c_2 as c_d. number: of mlg networks larger." \
-    "# other: c_2 N m s/rad, k_2 N m/rad; width: of c_d, the other damper held, inf where no c_d is too large; of damping ratios" \
-    "# above 0 alone. met of two starts; converged: both. Searched: $(find build/tables -name 'networks.larger.[0-9]*.csv' | wc -l) of $(each_larger | wc -l)."
+    "# other: c_2 N m s/rad, k_2 N m/rad. width, ratio: of c_d, the other damper held, inf where no c_d is too large, or for the" \
+    "# ratio too small; these and load of networks with a damping ratio above 0 alone, tolerance of those that bear 214.2 kN; it is" \
+    "# one of c_2 or k_2 as well. met of starts, two or one at random, the others from the designs of smaller networks and of" \
+    "# other quantities; converged: two met. Searched: $(find build/tables -name 'networks.larger.zeta.[0-9]*.csv' | wc -l) of $(each_larger | wc -l)."
   {
-    echo quantity,rank,number,network,free,value,k_s,b,other,c_lo,c_hi,met,starts,converged
-    for quantity in zeta width; do ranked_larger $quantity; done
+    echo quantity,rank,number,network,free,value,k_s,b,other,c_lo,c_hi,static,met,starts,converged
+    for quantity in zeta width ratio load tolerance; do ranked_larger $quantity; done
   } >> "$table.new"
   replace "$table"
 }

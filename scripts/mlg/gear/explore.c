@@ -10,6 +10,23 @@ enum quantity { ZETA, WIDTH, RATIO, LOAD, TOLERANCE, QUANTITIES };
 
 static const char *const quantity_name[QUANTITIES] = { "zeta", "width", "ratio", "load", "tolerance" };
 
+/* Static stiffness of the device that was found, without k_psi, N m/rad. */
+static double static_stiffness(const struct explorer *e, const struct found *f)
+{
+  const struct libmlg_layout *const l = libmlg_find(e->layout);
+  double par[LIBMLG_MOST_PARAMETERS], slots[MLG_SLOTS];
+
+  memcpy(par, e->par, sizeof par);
+  par[NUMBER_K_S] = f->k_s;
+  for (int i = 0; i < e->others; i++)
+    e->other[i]->value = f->other[i];
+  libmlg_slots(par, slots);
+  const struct network Z = l->network(l, slots);
+  const double K = Z.num.coefficient[0] / Z.den.coefficient[0];
+
+  return K / (1. - K / par[NUMBER_K_PSI]);
+}
+
 /* The row of what was found, its value in units of `unit`; none where nothing was. */
 static void print_row(enum quantity q, const struct explorer *e, const struct found *f, double unit)
 {
@@ -19,7 +36,7 @@ static void print_row(enum quantity q, const struct explorer *e, const struct fo
   printf("%.10g,%.10g,%d,%d,%d", f->lo, f->hi, f->met, f->starts, f->asked);
   for (int i = 0; i < e->others; i++)
     printf(",%.10g", f->other[i]);
-  printf("\n");
+  printf(",%.10g\n", static_stiffness(e, f));
   fflush(stdout);
 }
 
@@ -132,11 +149,11 @@ static int run(int argc, char *argv[])
   }
   if (begin)
     explore_begin_at(&e, begin);
-  printf("# zeta -, width N m s/rad, ratio -, load N, tolerance %%; k_s N m/rad, b N m s^2/rad, c_lo, c_hi N m s/rad\n"
+  printf("# zeta -, width N m s/rad, ratio -, load N, tolerance %%; k_s, static N m/rad, b N m s^2/rad, c_lo, c_hi N m s/rad\n"
          "quantity,value,k_s,b,c_lo,c_hi,met,starts,asked");
   for (int i = 0; i < e.others; i++)
     printf(",%.*s", (int)strcspn(e.other[i]->text, "="), e.other[i]->text);
-  printf("\n");
+  printf(",static\n");
 
   /* an exact interval is where damping is looked for as well, and with free elements the other way round */
   static const enum quantity order[2][QUANTITIES] = { { WIDTH, RATIO, ZETA, LOAD, TOLERANCE }, { ZETA, WIDTH, RATIO, LOAD, TOLERANCE } };
@@ -183,6 +200,7 @@ const struct command command_explore = {
     "                within 0.1 %; of an interval, starts are six stretches of b that overlap, or with\n"
     "                free=NAME as said\n"
     "  asked         how many designs were looked at; of width and ratio how many b, each with all k_s\n"
-    "  c_2, ...      the values of the elements that are free\n",
+    "  c_2, ...      the values of the elements that are free\n"
+    "  static        stiffness of the device, without k_psi\n",
   .run = run,
 };

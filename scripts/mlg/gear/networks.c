@@ -186,24 +186,10 @@ static const struct family larger[] = {
   { { "k_s", "k_d", "c_d", C_2, "b" }, 5 }, { { "k_s", K_2, "k_d", "c_d" }, 4 }, { { "k_s", K_2, "k_d", "c_d", "b" }, 5 },
 };
 
-/* The dynamic stiffness with these values of k_s and c_d, and of the element beside them. */
-static double _Complex at_values(struct device_text *d, double k_s, double c_d, double other)
-{
-  const double _Complex s = 0.7 + 1.3 * I;
-  double par[MLG_SLOTS] = { [PAR_K_PSI] = 1.1, [PAR_K_D] = 1.3, [PAR_K_S] = k_s, [PAR_C_D] = c_d, [PAR_B] = 2.3 };
-
-  for (int i = 0; i < d->parts; i++)
-    if (d->part[i].slot < 0 && d->part[i].text)
-      d->part[i].value = other;
-  const struct network Z = device_stiffness(d, par);
-
-  return poly_value(&Z.num, s) / poly_value(&Z.den, s);
-}
-
 /* Whether the two are one with k_s and k_2 exchanged. */
 static int exchanged_springs(struct device_text *a, struct device_text *b)
 {
-  const double _Complex x = at_values(a, 1.7, 1.9, 3.1), y = at_values(b, 3.1, 1.9, 1.7);
+  const double _Complex x = network_at(a, 1.7, 1.9, 3.1), y = network_at(b, 3.1, 1.9, 1.7);
 
   return cabs(x - y) < 1e-12 * cabs(x);
 }
@@ -343,14 +329,31 @@ static void list_larger(int with_same)
   free(d);
 }
 
+static void list_limits(void)
+{
+  int n, m, all;
+  struct device_text *const d = networks_in(larger, sizeof larger / sizeof *larger, &n, &all);
+  struct device_text *const less = small_networks(&m, &all);
+
+  printf("number,network,element,end,limit,limit_network\n");
+  for (int i = 0; i < n; i++)
+    print_limits(i + 1, &d[i], less, m);
+  free(less);
+  free(d);
+}
+
 static int run(int argc, char *argv[])
 {
+  const char *const which = argc == 3 && strcmp(argv[1], "larger") == 0 ? argv[2] : "";
+
   if (argc == 2 && strcmp(argv[1], "larger") == 0)
     list_larger(0);
-  else if (argc == 3 && strcmp(argv[1], "larger") == 0 && strcmp(argv[2], "same") == 0)
+  else if (strcmp(which, "same") == 0)
     list_larger(1);
+  else if (strcmp(which, "limits") == 0)
+    list_limits();
   else if (argc > 1)
-    refuse(argv[0], argv[argc > 2 && strcmp(argv[1], "larger") == 0 ? 2 : 1], "expected nothing, `larger` or `larger same`");
+    refuse(argv[0], argv[argc > 2 && strcmp(argv[1], "larger") == 0 ? 2 : 1], "expected nothing, `larger`, `larger same` or `larger limits`");
   else
     list_small();
   return output_status(argv[0]);
@@ -358,7 +361,7 @@ static int run(int argc, char *argv[])
 
 const struct command command_networks = {
   .name = "networks",
-  .usage = "[larger [same]]",
+  .usage = "[larger [same | limits]]",
   .summary = "every small network of springs, a damper and an inerter",
   .details =
     "All series-parallel networks of k_d, c_d and at most one of each of k_s and b, each once, that\n"
@@ -374,6 +377,9 @@ const struct command command_networks = {
     "larger: those with a second damper c_2, or with a spring k_2 beside k_s; no two like elements\n"
     "side by side or one behind the other.  Columns number, network, states, with `same` (most of a\n"
     "minute) same, and\n"
-    "  free             the element more; explore NETWORK free=NAME searches its value\n",
+    "  free             the element more; explore NETWORK free=NAME searches its value\n"
+    "larger limits: which of the small ones each becomes as one element goes to an end, 0 or inf; its\n"
+    "k_2 then is the k_s of the smaller one where k_s goes, c_2 the c_d where c_d goes.  Columns number,\n"
+    "network, element, end, limit (number of the small one), limit_network\n",
   .run = run,
 };

@@ -2,6 +2,8 @@
 #ifndef MLG_NETWORKS_H
 #define MLG_NETWORKS_H
 
+#include <complex.h>
+
 #include "device_text.h"
 
 enum { NETWORK_TEXT = 80 };
@@ -26,6 +28,14 @@ double network_least_k_s(const struct device_text *d, double k_d);
  * or free too: found by solving for the values, at random ones.  That of a further element
  * NAME=VALUE, one at most, does not stay. */
 int network_same(struct device_text *a, struct device_text *b, int k_d_free);
+
+/* Its dynamic stiffness at one s with these values of k_s, c_d and an element NAME=VALUE, which does
+ * not stay; all others are the same every time. */
+double _Complex network_at(struct device_text *d, double k_s, double c_d, double other);
+
+/* Prints a row for each end, 0 or infinity, of k_s, c_d or the element NAME=VALUE at which network d,
+ * of that number, is one of less[n]. */
+void print_limits(int number, struct device_text *d, struct device_text less[], int n);
 
 /* The networks of k_d, c_d and at most one of each of k_s and b that have a path of springs,
  * *all of them counted with those that have none.  The array is to be freed. */
