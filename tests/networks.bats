@@ -51,7 +51,20 @@ layouts_as_text() {
   [ "$bridges" -eq 60 ]
   [ "$(grep -c '^[0-9]' listed)" -eq "$kept" ]
   run --separate-stderr -2 mlg networks larger all
-  [ "$stderr" = "mlg networks: 'all': expected nothing, \`larger\` or \`larger same\`" ]
+  [ "$stderr" = "mlg networks: 'all': expected nothing, \`larger\`, \`larger same\` or \`larger limits\`" ]
+}
+
+@test "a network of the larger family at the end of an element is as stiff as the smaller one that it is said to become" {
+  mlg networks larger limits > listed
+  [ "$(cut -d, -f1 listed | sort -u | wc -l)" -eq 273 ] # all but one, (k_s|(k_d-b))-(k_2|c_d), and the names
+  awk -F, 'BEGIN { srand(1404) } NR > 1 { row[n++] = $0 } END { for (i = 0; i < 40; i++) print row[int(n * rand())] }' listed > some
+  # at k_s = 4e5 and c_d = 3e3, or k_2 and c_2 so where the other goes to its end
+  awk -F, '{ end = $4 == "inf" ? 1e11 : 1e-3; k_s = 4e5; c_d = 3e3; other = end
+      if ($3 == "k_s") { k_s = end; other = 4e5 } if ($3 == "c_d") { c_d = end; other = 3e3 }
+      sub("_2=[0-9e.]+", "_2=" other, $2)
+      printf "%s,%g,70,%g\n%s,4e5,70,3e3\n", $2, k_s, c_d, $6 }' some | oracle balance | paste -d ' ' - - > both
+  [ "$(wc -l < both)" -eq 40 ]
+  near_each 1e-4 stiffness < both
 }
 
 # same_table TOLERANCE FILE FILE: the same words, and numbers that near
@@ -309,24 +322,62 @@ some_rows() { # QUANTITY
   near "$(cell p tolerance "$network" "${words[@]}" c_d="$c_d" sample=0)" "$p" 2e-5 "p of $network" # the table has seven digits
 }
 
-# larger_rows QUANTITY: six random rows of results/networks_larger.csv as network,value,k_s,b,c_lo,c_hi
+# larger_rows QUANTITY N: random rows of results/networks_larger.csv as network,value,k_s,b,c_lo,c_hi,static,free
 larger_rows() {
-  awk -F, -v OFS=, -v quantity="$1" 'BEGIN { srand(1403) }
-    $1 == quantity && $6 !~ /inf/ { sub($5, $5 "=" $9, $4); row[n++] = $4 OFS $6 OFS ($7 == "" ? "inf" : $7) OFS ($8 == "" ? 0 : $8) OFS $10 OFS $11 }
-    END { for (i = 0; i < 6; i++) print row[int(n * rand())] }' "$ROOT/results/networks_larger.csv"
+  awk -F, -v OFS=, -v quantity="$1" -v n="$2" 'BEGIN { srand(1403) }
+    $1 == quantity && $6 !~ /inf/ { sub($5, $5 "=" $9, $4); row[m++] = $4 OFS $6 OFS ($7 == "" ? "inf" : $7) OFS ($8 == "" ? 0 : $8) OFS $10 OFS $11 OFS $12 OFS $5 }
+    END { for (i = 0; i < n; i++) print row[int(m * rand())] }' "$ROOT/results/networks_larger.csv"
 }
 
-@test "random rows of the larger family stand before the pencil of nodes" {
-  local network value k_s b lo hi
-  larger_rows zeta > rows
+@test "random rows of the larger family stand before the pencil of nodes: damping, intervals, static stiffness" {
+  local network value k_s b lo hi rest quantity
+  larger_rows zeta 6 > rows
   paste -d ' ' <(awk -F, -v OFS=, '{ print $1, $3, $4, $5 }' rows | oracle least) <(cut -d, -f2 rows) | tee both \
     | awk '{ if (($1 - $2) ^ 2 > (5e-3 * $2) ^ 2 + 1e-12) { print; exit wrong = 1 } } END { exit wrong || NR != 6 }' || { cat both; false; }
-  larger_rows width > rows
-  while IFS=, read -r network value k_s b lo hi; do
-    near "$(awk "BEGIN { printf \"%.10g\", $hi - $lo }")" "$value" 1e-5 "width of $network"
-    for c in 0.01 0.5 0.99; do awk "BEGIN { print $lo + $c * ($hi - $lo) }" | sed "s/^/$network,$k_s,$b,/"; done \
-      | oracle least | awk -v network="$network" '$1 <= -1e-7 { print network, $0; exit wrong = 1 } END { exit wrong || NR != 3 }'
-  done < rows
+  for quantity in width ratio; do
+    larger_rows $quantity 4 > rows
+    while IFS=, read -r network value k_s b lo hi rest; do
+      near "$(awk "BEGIN { printf \"%.10g\", $([ $quantity = width ] && echo "$hi - $lo" || echo "$hi / $lo") }")" "$value" 1e-5 "$quantity of $network"
+      for c in 0.01 0.5 0.99; do awk "BEGIN { print $lo + $c * ($hi - $lo) }" | sed "s/^/$network,$k_s,$b,/"; done \
+        | oracle least | awk -v network="$network" '$1 <= -1e-7 { print network, $0; exit wrong = 1 } END { exit wrong || NR != 3 }'
+    done < rows
+  done
+  for quantity in zeta width load tolerance; do larger_rows $quantity 3; done > rows
+  paste -d ' ' <(cut -d, -f1,3 rows | oracle balance) <(cut -d, -f7 rows) | near_each 1e-5 static
+}
+
+@test "random rows of the larger family: free of shimmy just below the largest load, and at corners within the tolerance" {
+  larger_rows load 6 > rows
+  awk -F, -v OFS=, '{ for (i = 0; i < 60; i++) V = V OFS sprintf("%.6g", 0.3 * exp(6.5 * i / 59)); printf "%s,%s,%s,%s,%.10g%s\n", $1, $3, $4, $5, 0.99999 * $2, V; V = "" }' rows \
+    | oracle least | awk '$1 < -1e-7 { print NR, $0; exit wrong = 1 } END { exit wrong || NR != 6 }'
+  larger_rows tolerance 4 > rows
+  awk -F, -v OFS=, '{ print $1, $3, $4, $5, $8, 0.9999 * $2 }' rows | oracle inside | awk '$1 < -1e-7 { print NR, $0; exit wrong = 1 } END { exit wrong || NR != 4 }'
+  awk -F, -v OFS=, '{ print $1, $3, $4, $5, $8, 2 * $2 }' rows | oracle inside | awk '$1 > 0 { print NR, $0; exit wrong = 1 } END { exit wrong || NR != 4 }'
+}
+
+@test "a row of the larger family has its tolerance, all corners tested, and no network less than one that it becomes" {
+  local network p k_s b c_d rest free
+  larger_rows tolerance 1 > row
+  IFS=, read -r network p k_s b c_d rest < row
+  free=${rest##*,}
+  near "$(cell p tolerance "$network" k_s="$k_s" b="$b" c_d="$c_d" vary="$free" sample=0)" "$p" 1e-4 "p of $network" # the table has seven digits
+  # where the element is rigid or a damper is soft at the end of its range, that is the smaller network nearly
+  mlg networks larger limits > listed
+  awk -F, '
+    FILENAME == "listed" { if ($4 == "inf" || $3 ~ /^c/) limit[++n] = $1 SUBSEP $5; next }
+    FILENAME ~ /networks.csv/ { if (/^(zeta|width|load),/) small[$1, $3] = $6; next }
+    /^(zeta|width|load),/ { large[$1, $3] = $6 }
+    END {
+      split("zeta width load", quantity, " ")
+      for (i = 1; i <= n; i++)
+        for (q = 1; q <= 3; q++) {
+          split(limit[i], of, SUBSEP)
+          if (!((quantity[q], of[1]) in large) || !((quantity[q], of[2]) in small) || !(small[quantity[q], of[2]] > 0)) continue
+          compared++
+          if (large[quantity[q], of[1]] !~ /inf/ && large[quantity[q], of[1]] < 0.995 * small[quantity[q], of[2]]) {
+            print quantity[q], of[1], large[quantity[q], of[1]], "less than", small[quantity[q], of[2]], "of", of[2]; exit wrong = 1 }
+        }
+      exit wrong || compared < 200 }' listed "$ROOT/results/networks.csv" "$ROOT/results/networks_larger.csv"
 }
 
 @test "the table of networks has the paper's layouts as they are known, and no width above that of LI2 at b = 300 but those it ranks" {

@@ -5,6 +5,11 @@
     networks.py least              for each line TEXT,k_s,b,c_d[,F_z[,V...]] of standard input:
                                    the least damping ratio over these V, m/s, or over 400 of
                                    them from 0.3 to 200 m/s
+    networks.py inside             for each line TEXT,k_s,b,c_d,NAME,p of standard input: the least damping ratio
+                                   over 60 V at 40 corners, drawn at random, of the box in which all that
+                                   docs/design.md names, and the element NAME=VALUE, lie within +-p per cent
+    networks.py balance            for each line TEXT,k_s: the static stiffness; for TEXT,k_s,b,c_d the absolute
+                                   value of the dynamic one at s = 3 + 70i
     networks.py passive            for each line NUM,DEN,F_z,K (coefficients, powers of s rising):
                                    the same, where NUM/DEN is passive and has a static stiffness of
                                    at least K, else why not
@@ -62,9 +67,9 @@ def graph(text):
     return elements
 
 
-def pencil(text, k_s, b, c_d, V, F_z=200e3):
+def pencil(text, k_s, b, c_d, V, F_z=200e3, **other):
     """A, E of A x = s E x, x = delta, psi, lambda, the nodes, and the rates of all but lambda."""
-    p = dict(GEAR, k_s=k_s, b=b, c_d=c_d)
+    p = {**GEAR, "k_s": k_s, "b": b, "c_d": c_d, **other}
     s, c = np.sin(p["phi"]), np.cos(p["phi"])
     et, L = p["e"] + p["R"] * s, p["l_delta"] + p["R"] * c
     m, kap = p["a"]**2 * p["m_D"] / 4, p["a"]**2 * p["k_t"] / 2
@@ -122,6 +127,43 @@ def least(line):
     F_z, *V = [float(x) for x in rest] or [200e3]
     speeds = V or np.geomspace(.3, 200., 400)
     return min(damping(eigenvalues(text, float(k_s), float(b), float(c_d), v, F_z)) for v in speeds)
+
+
+def balance(line):
+    """Torque over twist at s = 0, or of size at s = 3 + 70i where b and c_d are given."""
+    text, k_s, *rest = line.split(",")
+    b, c_d = [float(x) for x in rest] or (0., 0.)
+    s = 3 + 70j if rest else 0.
+    p = dict(GEAR, k_s=float(k_s), b=b, c_d=c_d)
+    elements = graph(text)
+    nodes = sorted({n for e in elements for n in e[2:]})  # 0 and 1 first
+    Z = np.zeros((len(nodes), len(nodes)), complex)
+    for kind, value, at, to in elements:
+        x = np.zeros(len(nodes))
+        x[nodes.index(at)], x[nodes.index(to)] = 1., -1.
+        Z += (p[value] if isinstance(value, str) else value) * s**"kcb".index(kind) * np.outer(x, x)
+    torque = np.zeros(len(nodes))
+    torque[:2] = -1., 1.
+    twist = np.linalg.lstsq(Z, torque, rcond=1e-15)[0]
+    return abs(1. / (twist[1] - twist[0]))
+
+
+BOX = "k_t e l h k_lambda k_alpha c_delta c_psi k_delta k_psi".split()
+
+
+def inside(line, corners=40, seed=3):
+    text, k_s, b, c_d, name, p = line.split(",")
+    rng = random.Random(seed)
+    worst = 1.
+    for _ in range(corners):
+        def side():
+            return 1 + rng.choice((-1, 1)) * float(p) / 100
+        moved = {parameter: GEAR[parameter] * side() for parameter in BOX}
+        at = re.sub(name + r"=([0-9.eE+]+)", lambda m: "%s=%.12g" % (name, float(m[1]) * side()), text) if name else text
+        device = [float(x) * side() for x in (k_s, b, c_d)]
+        F_z = 200e3 * side()
+        worst = min([worst] + [damping(eigenvalues(at, *device, V, F_z, **moved)) for V in np.geomspace(.3, 200., 60)])
+    return worst
 
 
 def gear(F_z):
@@ -275,7 +317,8 @@ def main():
         print(*(count_larger if set(sys.argv[2]) & set("KC") else count)(sys.argv[2]))
     else:
         for line in sys.stdin:
-            print("%.10g" % least(line.strip()) if sys.argv[1] == "least" else passive(line.strip()))
+            answer = {"least": least, "inside": inside, "balance": balance, "passive": passive}[sys.argv[1]](line.strip())
+            print(answer if isinstance(answer, str) else "%.10g" % answer)
 
 
 if __name__ == "__main__":
