@@ -2,11 +2,11 @@
 # Every small network: its best designs, ranked (docs/networks.md)
 #
 #   scripts/studies/networks.sh      all of it
-#   scripts/studies/networks.sh runs [small | larger] | tables | draw
+#   scripts/studies/networks.sh runs [small | larger | inertance] | tables | draw
 #
 # One search for each network, up to a minute; what was interrupted goes on with the networks that are left.
 #
-# Writes: results/networks.csv, results/networks_larger.csv, results/networks.svg; build/tables/networks.*.csv
+# Writes: results/networks.csv, results/networks_larger.csv, results/networks_b.csv, results/networks.svg, results/networks_larger.svg; build/tables/networks.*.csv
 # Expect: 35 networks; width 264.6269 of L1, 10226.87 of L2, 11244.367 of LI1 at b = 140.4708,
 #         and 22354 of LI2 at b = 300, which is the widest of all.
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
@@ -60,7 +60,7 @@ begin_larger() { # NUMBER FREE QUANTITY
 }
 
 # One quantity of networks NUMBER NETWORK FREE of standard input: starts at random beside those at designs that are given
-search_larger() { # QUANTITY STARTS FILE...
+search_larger() { # QUANTITY STARTS
   local quantity=$1 starts=$2 number network free begin before file
   while read -r number network free; do
     before=()
@@ -70,9 +70,34 @@ search_larger() { # QUANTITY STARTS FILE...
       fi
     done
     begin=$(begin_larger "$number" "$free" "$quantity" "${before[@]}")
-    made "networks.larger.$quantity.$number" "${search[@]}" "${@:3}" "$begin" -- \
+    made "networks.larger.$quantity.$number" "${search[@]}" "$begin" -- \
       mlg explore "$network" "$quantity" free="$free" starts="$starts" begin="$begin"
   done
+}
+
+# NETWORK with another VALUE of its element NAME=VALUE
+with_value() { # NETWORK NAME VALUE
+  local behind=${1#*"$2"=}
+  echo "${1%%"$2"=*}$2=$3${behind#"${behind%%[!0-9.e]*}"}"
+}
+
+# Loads, 1 kN apart, below the largest that a design bears: at which of them does it shimmy?
+loads_larger() {
+  local number network free load k_s b c_d other words
+  while read -r number network free; do
+    IFS=, read -r load k_s b c_d other < <(awk -F, -v OFS=, '$1 == "load" { print $2, $3, $4, $5, $10 }' "build/tables/networks.larger.load.$number.csv") || continue
+    words=(c_d="$c_d")
+    case $network in *k_s*) words+=(k_s="$k_s") ;; esac
+    case "($network)" in *[\(\)\|-]b[\(\)\|-]*) words+=(b="$b") ;; esac
+    made "networks.larger.loads.$number" models/libmlg/free.c scripts/mlg/gear/loads.c -- \
+      mlg loads "$(with_value "$network" "$free" "$other")" "${words[@]}" step=1e3 to="$load" \
+      from="$(awk "BEGIN { printf \"%.10g\", $load - 1e3 * int($load / 1e3 - 20) }")"
+  done
+}
+
+# The least of these loads from which on it does not, N
+load_from() { # NUMBER
+  awk -F, '/^[0-9]/ { if (!($9 > -1e-7)) from = ""; else if (from == "") from = $1 } END { print from }' "build/tables/networks.larger.loads.$1.csv"
 }
 
 # Of networks NUMBER NETWORK FREE those whose value of a quantity is above LEAST, by falling value
@@ -88,13 +113,34 @@ larger_above() { # QUANTITY LEAST
 # that bear more than LI1 does
 runs_larger() {
   made networks.limits models/libmlg/device_text.c scripts/mlg/gear/{networks,network_limits}.c -- mlg networks larger limits
-  each_larger | search_larger zeta 2
+  each_larger | search_larger zeta 10
   each_larger | larger_above zeta 0 > build/tables/networks.damped.txt
-  search_larger load 2 models/libmlg/free.c scripts/mlg/gear/explore_load.c < build/tables/networks.damped.txt
-  search_larger width 2 scripts/mlg/gear/explore_interval.c < build/tables/networks.damped.txt
-  search_larger ratio 2 scripts/mlg/gear/explore_interval.c < build/tables/networks.damped.txt
+  search_larger load 5 < build/tables/networks.damped.txt
+  loads_larger < build/tables/networks.damped.txt
+  search_larger width 3 < build/tables/networks.damped.txt
+  search_larger ratio 2 < build/tables/networks.damped.txt
   larger_above load 214.2e3 < build/tables/networks.damped.txt > build/tables/networks.strong.txt
-  search_larger tolerance 1 models/libmlg/{free,slopes,tolerance}.c scripts/mlg/gear/explore_tolerance.c < build/tables/networks.strong.txt
+  search_larger tolerance 2 < build/tables/networks.strong.txt
+}
+
+# With how little inertance: LI2, LI3, LI4 and two of the larger family with b up to each of these, N m s^2/rad
+inertances=(5 10 20 30 50 100 300)
+
+# NETWORK and the element that is free, or nothing
+each_inertance() {
+  printf '%s\n' '(k_s|b)-(k_d|c_d) -' '(k_s-(k_d|c_d))|b -' '((k_s|b)-c_d)|k_d -' \
+    '((k_s-b)|k_2=2e6)-(k_d|c_d) k_2' '(((k_s-b)|k_2=2e6)-c_d)|k_d k_2'
+}
+
+runs_inertance() {
+  local network free b n=0 words
+  while read -r network free; do
+    n=$((n + 1)) words=()
+    if [ "$free" != - ]; then words=(free="$free"); fi
+    for b in "${inertances[@]}"; do
+      made "networks.inertance.$n.$b" "${search[@]}" -- mlg explore "$network" zeta tolerance b_most="$b" starts=5 "${words[@]}"
+    done
+  done < <(each_inertance)
 }
 
 # Rows of one quantity by falling value, with rank, network, layout and static stiffness
@@ -111,19 +157,35 @@ ranked() { # QUANTITY
   done < <(each_network) | sort -t, -k4,4gr -k1,1n | awk -v OFS=, -v quantity="$1" '{ print quantity, NR, $0 }'
 }
 
-# The same of the larger family
+# The same of the larger family, with the load from which on a design of a largest load is free of shimmy
 ranked_larger() { # QUANTITY
-  local number network free found
+  local number network free found from
   while read -r number network free; do
-    found=build/tables/networks.larger.$1.$number.csv
+    found=build/tables/networks.larger.$1.$number.csv from=
     [ -e "$found" ] || continue # not searched
-    awk -F, -v OFS=, -v quantity="$1" -v number="$number" -v network="$network" -v free="$free" '
+    if [ "$1" = load ]; then from=$(load_from "$number"); fi
+    awk -F, -v OFS=, -v quantity="$1" -v number="$number" -v network="$network" -v free="$free" -v from="$from" '
       $1 == quantity {
         sub(/=[0-9.e]+/, "", network)
         print number, network, free, sprintf("%.7g", $2), $3 == "inf" ? "" : sprintf("%.7g", $3),
           network ~ /(^|[^_a-z])b($|[^_a-z])/ ? sprintf("%.6g", $4) : "", sprintf("%.7g", $10), sprintf("%.7g", $5),
-          sprintf("%.7g", $6), sprintf("%.6g", $11), $7, $8, ($7 > 1 ? "yes" : "no") }' "$found"
+          sprintf("%.7g", $6), sprintf("%.6g", $11), from == "" ? "" : sprintf("%.6g", from), $7, $8, ($7 > 1 ? "yes" : "no") }' "$found"
   done < <(each_larger) | sort -t, -k4,4gr -k1,1n | awk -v OFS=, -v quantity="$1" '{ print quantity, NR, $0 }'
+}
+
+# Rows of what inertance buys
+by_inertance() { # QUANTITY
+  local network free b n=0
+  while read -r network free; do
+    n=$((n + 1))
+    for b in "${inertances[@]}"; do
+      awk -F, -v OFS=, -v quantity="$1" -v network="$network" -v free="${free#-}" -v b="$b" '
+        $1 == quantity {
+          sub(/=[0-9.e]+/, "", network)
+          print quantity, network, free, b, sprintf("%.7g", $2), sprintf("%.7g", $3), sprintf("%.6g", $4), free == "" ? "" : sprintf("%.7g", $10),
+            sprintf("%.7g", $5), sprintf("%.6g", $NF), $7, $8 }' "build/tables/networks.inertance.$n.$b.csv"
+    done
+  done < <(each_inertance)
 }
 
 tables() {
@@ -147,13 +209,38 @@ tables() {
     "# the first (docs/networks.md), searched as results/networks.csv: k_2 as k_s, c_2 as c_d. number: of mlg networks larger." \
     "# other: c_2 N m s/rad, k_2 N m/rad. width, ratio: of c_d, the other damper held, inf where no c_d is too large, or for the" \
     "# ratio too small; these and load of networks with a damping ratio above 0 alone, tolerance of those that bear 214.2 kN; it is" \
-    "# one of c_2 or k_2 as well. met of starts, two or one at random, the others from the designs of smaller networks and of" \
+    "# one of c_2 or k_2 as well. from, N: of the loads 1 kN apart the least from which on the design has no shimmy up to its largest. met of starts, ten for zeta, five for load, three or two for all else at random, the others from the designs of smaller networks and of" \
     "# other quantities; converged: two met. Searched: $(find build/tables -name 'networks.larger.zeta.[0-9]*.csv' | wc -l) of $(each_larger | wc -l)."
   {
-    echo quantity,rank,number,network,free,value,k_s,b,other,c_lo,c_hi,static,met,starts,converged
+    echo quantity,rank,number,network,free,value,k_s,b,other,c_lo,c_hi,static,from,met,starts,converged
     for quantity in zeta width ratio load tolerance; do ranked_larger $quantity; done
   } >> "$table.new"
   replace "$table"
+
+  begin_table results/networks_b.csv \
+    "# Least damping ratio zeta over V in 0.3..200 m/s and tolerance p, %, of the best designs with an inertance b up to b_most, N m s^2/rad:" \
+    "# networks of results/networks.csv, and with a spring k_2 more of results/networks_larger.csv, searched likewise; tolerance of" \
+    "# k_2, other, too. k_s, other, static N m/rad, without k_psi; c_d N m s/rad; met of starts: within 1 % of the best."
+  {
+    echo quantity,network,free,b_most,value,k_s,b,other,c_d,static,met,starts
+    for quantity in zeta tolerance; do by_inertance $quantity; done
+  } >> "$table.new"
+  replace "$table"
+}
+
+# NETWORK,CAPTION... of those of the larger family that are among the first five by a damping ratio, a finite width, a load or a
+# tolerance, by falling load
+best_larger() {
+  awk -F, '
+    /^#/ || $1 == "quantity" || $6 == "inf" { next }
+    { value[$1, $3] = $6; if (++n[$1] <= 5 && $1 != "ratio") chosen[$3] = 1 }
+    $1 == "load" { text[$3] = $4; drawn[$3] = $4; sub($5, sprintf("%s=%.2g", $5, $9), drawn[$3]); order[++m] = $3 }
+    function of(quantity, k, format, factor) {
+      return (quantity SUBSEP k) in value ? sprintf(format, value[quantity, k] * factor) : "-" }
+    END {
+      for (i = 1; i <= m; i++) if ((k = order[i]) in chosen)
+        printf "%s,%d. %s,load %s kN; tolerance %s %%,zeta %s; width %s\n", drawn[k], ++shown, text[k], of("load", k, "%.1f", 1e-3),
+          of("tolerance", k, "%.3g", 1), of("zeta", k, "%.3g", 1), of("width", k, "%.6g", 1) }' results/networks_larger.csv
 }
 
 draw() {
@@ -170,6 +257,8 @@ draw() {
           ("tolerance" SUBSEP k) in value ? sprintf("; tolerance %.3g %%", value["tolerance", k]) : "" } }' \
     results/networks.csv | mlg drawings > build/networks.svg
   mv build/networks.svg results/networks.svg
+  best_larger | mlg drawings > build/networks_larger.svg
+  mv build/networks_larger.svg results/networks_larger.svg
 }
 
 main networks "$@"
