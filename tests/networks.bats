@@ -380,6 +380,21 @@ larger_rows() {
       exit wrong || compared < 200 }' listed "$ROOT/results/networks.csv" "$ROOT/results/networks_larger.csv"
 }
 
+@test "what inertance buys: no less with more of it, as damped and tolerant before the pencil of nodes as the table says" {
+  awk -F, '$1 == "zeta" || $1 == "tolerance" {
+      if ($1 $2 == series && ($5 < 0.999 * value || $4 <= b_most)) { print; exit wrong = 1 }
+      if ($7 > $4 * 1.000001) { print; exit wrong = 1 }
+      series = $1 $2; value = $5; b_most = $4; n++ }
+    END { exit wrong || n < 60 }' "$ROOT/results/networks_b.csv"
+  awk -F, -v OFS=, 'BEGIN { srand(1405) } $1 == "zeta" || $1 == "tolerance" { if ($3 != "") sub($3, $3 "=" $8, $2); row[$1, n[$1]++] = $2 OFS $6 OFS $7 OFS $9 OFS $3 OFS $5 }
+    END { for (i = 0; i < 5; i++) { print row["zeta", int(n["zeta"] * rand())] > "damped"; print row["tolerance", int(n["tolerance"] * rand())] > "tolerant" } }' \
+    "$ROOT/results/networks_b.csv"
+  paste -d ' ' <(cut -d, -f1-4 damped | oracle least) <(cut -d, -f6 damped) \
+    | awk '{ if (($1 - $2) ^ 2 > (5e-3 * $2) ^ 2 + 1e-12) { print; exit wrong = 1 } } END { exit wrong || NR != 5 }'
+  awk -F, -v OFS=, '{ $6 *= 0.9999; print }' tolerant | oracle inside | awk '$1 < -1e-7 { print NR, $0; exit wrong = 1 } END { exit wrong || NR != 5 }'
+  awk -F, -v OFS=, '{ $6 *= 2; print }' tolerant | oracle inside | awk '$1 > 0 { print NR, $0; exit wrong = 1 } END { exit wrong || NR != 5 }'
+}
+
 @test "the table of networks has the paper's layouts as they are known, and no width above that of LI2 at b = 300 but those it ranks" {
   local layout width
   while read -r layout width; do
