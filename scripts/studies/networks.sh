@@ -37,8 +37,8 @@ each_larger() {
     build/tables/networks.larger.csv results/networks_larger.csv
 }
 
-# Designs to begin at: those of results/networks.csv of each smaller network that this one becomes at an end of an element, and
-# its own that were found before, of this quantity and of zeta
+# Designs to begin at: those of results/networks.csv of each smaller network that this one becomes at an end of an element, of
+# tolerances, which take long, the best of them, and its own of the quantity that was searched before
 begin_larger() { # NUMBER FREE QUANTITY
   local begin=build/tables/networks.begin.$3.$1.csv
   awk -F, -v OFS=, -v number="$1" -v free="$2" -v quantity="$3" '
@@ -46,13 +46,15 @@ begin_larger() { # NUMBER FREE QUANTITY
     function high(element) { return element ~ /^k/ ? 1e9 : 1e7 }
     BEGIN { print "k_s,b,c_lo,c_hi," free }
     FILENAME ~ /limits/ { if ($1 == number) { m++; element[m] = $3; end[m] = $4 == "inf" ? high($3) : low($3); limit[m] = $5 } next }
-    FILENAME ~ /results/ && ($1 == quantity || $1 == "zeta" && quantity != "width" && quantity != "ratio") {
+    FILENAME ~ /results/ && ($1 == quantity || $1 == "zeta" && quantity == "load") {
       for (i = 1; i <= m; i++) if (limit[i] == $3) {
         k_s = $7 == "" ? 1e6 : $7; b = $8 + 0; lo = $9; hi = $10; other = end[i]
         if (element[i] == "k_s") { other = k_s; k_s = end[i] }
         if (element[i] == "c_d") { other = sqrt(lo * hi); lo = hi = end[i] }
-        print k_s, b, lo, hi, other } }
-    FILENAME ~ /larger/ && ($1 == "zeta" || $1 == "load") { print $3 ~ /inf/ ? 1e6 : $3, $4, $5, $6, $10 }' \
+        if (quantity != "tolerance") print k_s, b, lo, hi, other
+        else if ($6 > most) { most = $6; best = k_s OFS b OFS lo OFS hi OFS other } } }
+    FILENAME ~ /larger/ && ($1 == "zeta" || $1 == "load") { print $3 ~ /inf/ ? 1e6 : $3, $4, $5, $6, $10 }
+    END { if (best != "") print best }' \
     build/tables/networks.limits.csv results/networks.csv "${@:4}" > "$begin.new"
   cmp -s "$begin.new" "$begin" || mv "$begin.new" "$begin"
   rm -f "$begin.new"
@@ -61,14 +63,9 @@ begin_larger() { # NUMBER FREE QUANTITY
 
 # One quantity of networks NUMBER NETWORK FREE of standard input: starts at random beside those at designs that are given
 search_larger() { # QUANTITY STARTS
-  local quantity=$1 starts=$2 number network free begin before file
+  local quantity=$1 starts=$2 number network free begin before
   while read -r number network free; do
-    before=()
-    for file in zeta load; do
-      if [ "$file" != "$quantity" ] && [ "$quantity $file" != "zeta load" ] && [ -e "build/tables/networks.larger.$file.$number.csv" ]; then
-        before+=("build/tables/networks.larger.$file.$number.csv")
-      fi
-    done
+    case $quantity in zeta) before=() ;; tolerance) before=("build/tables/networks.larger.load.$number.csv") ;; *) before=("build/tables/networks.larger.zeta.$number.csv") ;; esac
     begin=$(begin_larger "$number" "$free" "$quantity" "${before[@]}")
     made "networks.larger.$quantity.$number" "${search[@]}" "$begin" -- \
       mlg explore "$network" "$quantity" free="$free" starts="$starts" begin="$begin"
