@@ -94,6 +94,7 @@ loads_larger() {
 
 # The least of these loads from which on it does not, N
 load_from() { # NUMBER
+  [ -e "build/tables/networks.larger.loads.$1.csv" ] || return 0
   awk -F, '/^[0-9]/ { if (!($9 > -1e-7)) from = ""; else if (from == "") from = $1 } END { print from }' "build/tables/networks.larger.loads.$1.csv"
 }
 
