@@ -243,7 +243,7 @@ filmstrip: ## solutions A and B of Figure 6 over a period: the gear from above a
 layouts: ## layouts LI3 to LI7: diagrams, boundary points, widths (docs/layouts.md)
 damping: ## least damping ratios of every layout, a minute (docs/damping.md)
 transients: ## peaks and settling times after a disturbance, four minutes more (docs/damping.md)
-networks: ## the best designs of every small network and the larger family, two hours (docs/networks.md)
+networks: ## the best designs of every small network and the larger family, an hour and a half (docs/networks.md)
 passive: ## the largest damping of any passive device, half an hour (docs/networks.md)
 sections: ## what follows past the torus points of Figure 6 (docs/simulate.md)
 sweeps: ## a million gears over load and tolerance, a map over (e, l), AUTO against the algebra; 15 minutes (docs/sweeps.md)
