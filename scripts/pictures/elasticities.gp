@@ -16,8 +16,8 @@ rows(layout, design) = pick(sprintf("results/elasticities.csv where=layout=%s wh
 cut(x, most) = abs(x) > most ? sgn(x)*most : x
 height = 0.985/rows_of
 do for [ending in "png svg"] {
-  if (ending eq "png") { set terminal pngcairo size 1300,330*rows_of font "DejaVu Sans,13" } \
-  else { set terminal svg size 1300,330*rows_of font "DejaVu Sans,14" }
+  if (ending eq "png") { set terminal pngcairo size 1300,400*rows_of font "DejaVu Sans,13" } \
+  else { set terminal svg size 1300,400*rows_of font "DejaVu Sans,14" }
   set output picture(ending)
   set multiplot
   set style fill solid 0.85 noborder

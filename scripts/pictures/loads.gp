@@ -5,6 +5,7 @@ n = words(layouts)
 rows(layout, choice) = pick(sprintf("results/loads.csv where=layout=%s where=choice=%s columns=F_z,c_lo,c_hi,width,ratio,c_d,zeta", layout, choice))
 with_width(layout, choice) = pick(sprintf("results/loads.csv where=layout=%s where=choice=%s 'where=width>0' columns=F_z,c_lo,c_hi,width,ratio,c_d,zeta", layout, choice))
 by_auto(layout) = pick(sprintf("results/loads_auto.csv where=layout=%s columns=F_z,c_d", layout))
+followed(layout) = system(sprintf("grep -c '^%s,' results/loads_auto.csv", layout)) + 0 # by AUTO
 has(layout, choice) = system(sprintf("grep -c '^%s,%s,' results/loads.csv", layout, choice)) + 0
 # the paper's design or, where it has none, that of its own widest interval; b searched where there is one
 given(layout) = has(layout, "paper") ? "paper" : "own"
@@ -25,14 +26,15 @@ do for [ending in "png svg"] {
     set tmargin at screen 0.97 - 0.325*row; set bmargin at screen 0.715 - 0.325*row
     set title sprintf("(a%d) ", panel).kind(layout) offset 0,-0.6
     set yrange [1e3:1e5]
-    set ytics ("1" 1e3, "3" 3e3, "10" 1e4, "30" 3e4, "100" 1e5)
+    if (column == 0) { set ytics ("1" 1e3, "3" 3e3, "10" 1e4, "30" 3e4, "100" 1e5) } \
+    else { set ytics ("" 1e3, "" 3e3, "" 1e4, "" 3e4, "" 1e5) }
     set xlabel "F_z (kN)" offset 0,0.5
     set ylabel (column == 0 ? "c_d (kN m s/rad)" : "") offset 1,0
     set arrow 1 from 200, graph 0 to 200, graph 1 nohead lc rgb "#999999" dt (2,3)
     plot with_width(layout, given(layout)) using (1e-3*$1):2:3 with filledcurves fc rgb "#dcefdc" notitle, \
          with_width(layout, given(layout)) using (1e-3*$1):2 with lines ls 9, \
          with_width(layout, given(layout)) using (1e-3*$1):3 with lines ls 9, \
-         by_auto(layout) using (1e-3*$1):2 with points pt 6 ps 0.5 lc rgb "#d62728"
+         (followed(layout) ? by_auto(layout) : with_width(layout, given(layout))) using (1e-3*$1):(followed(layout) ? $2 : NaN) with points pt 6 ps 0.5 lc rgb "#d62728"
     unset arrow 1
   }
   unset logscale y
@@ -51,7 +53,7 @@ do for [ending in "png svg"] {
     set arrow 1 from 200, graph 0 to 200, graph 1 nohead lc rgb "#999999" dt (2,3)
     plot 0 with lines lc rgb "#d62728" lw 1 notitle, \
          for [k=1:n] rows(word(layouts, k), panel == 1 ? given(word(layouts, k)) : searched(word(layouts, k), what[panel])) using (1e-3*$1):7 \
-           with lines lw 2 lc rgb colour_of(layouts, k) dt (k > 4 ? 2 : 1) title layout_name(word(layouts, k))
+           with lines lw 2 lc rgb colour_of(layouts, k) dt 1 + (k > 4) title layout_name(word(layouts, k))
   }
   unset multiplot
   unset output

@@ -23,7 +23,7 @@ do for [ending in "png svg"] {
     plot for [k=1:n] rows(word(layouts, k), panel == 1 ? given(word(layouts, k)) : "tolerant") using 1:($2 > 0 ? $2 : NaN):($1 - 0.5):($1 + 0.5):(real($3) > 1e-5 ? $3 : 1e-5):4 \
            with boxxyerror lc rgb colour_of(layouts, k) notitle, \
          for [k=1:n] rows(word(layouts, k), panel == 1 ? given(word(layouts, k)) : "tolerant") using 1:($2 > 0 ? $2 : NaN) with lines lw 2 lc rgb colour_of(layouts, k) \
-           dt (k > 4 ? 2 : 1) title layout_name(word(layouts, k))
+           dt 1 + (k > 4) title layout_name(word(layouts, k))
   }
   unset multiplot
   unset output

@@ -32,7 +32,7 @@ do for [ending in "png svg"] {
          designs(layout, "tolerant") using (log10($1)):2 with points pt 1 ps 1.4 lw 2 lc rgb "#d62728", \
          designs(layout, "widest") using (log10($1)):2 with points pt 6 ps 1.4 lw 2 lc rgb "#d62728"
   }
-  set lmargin at screen 0.07; set rmargin at screen 0.9; set tmargin at screen 0.43; set bmargin at screen 0.06
+  set lmargin at screen 0.07; set rmargin at screen 0.85; set tmargin at screen 0.43; set bmargin at screen 0.06
   set title "(c) tolerance p (%) of every layout's designs" offset 0,-0.6
   unset xtics; unset ytics; unset xlabel; set ylabel "p (%)"
   set xtics scale 0; do for [i=1:n] { set xtics add (layout_name(word(layouts, i)) i) }
