@@ -11,7 +11,8 @@
 #         results/loads.png, elasticities.png, tolerance.png, probability.png, and .svg;
 #         results/advice.csv and advice.md (scripts/report/advice.sh)
 # Expect: largest load with any zero-shimmy design, kN: L1 201.251, L2 204.505, LI1 214.151, LI2
-#         253.544 at b <= 300; largest tolerance, %: L1 0.135, L2 0.486, LI1 1.48, LI2 3.32; AUTO's
+#         253.544 at b <= 300; largest tolerance, %: L1 0.135, L2 0.486, LI1 1.48, LI2 3.32, LI3 2.18,
+#         LI4 2.69, LI5 1.30, LI6 1.15, LI7 1.87; AUTO's
 #         boundary points over the load agree with the exact ones to 1e-7.
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 . scripts/report/advice.sh
