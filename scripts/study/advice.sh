@@ -6,29 +6,20 @@
 # shellcheck disable=SC2154 # variables of study.sh
 . scripts/report/advice.sh
 
-# The most tolerant k_s and c_d at the inertance of the best damped design, which has to be known
-# (best_damped, exact.sh), or without an inerter; a row of designs.csv too.  An inertance at its bound is
-# none that damping chose: a third of it is tried as well.
+# The most tolerant c_d, k_s and b of a layout; a row of designs.csv too.
 tolerant_design() { # LAYOUT
-  local layout=$1 b='' row
-  ! has "$layout" b || b=$(awk -F, -v layout="$layout" '$1 == layout && $2 == "best damped" { print $4; exit }' "$folder/designs.csv")
+  local layout=$1 over_b=() row
+  ! has "$layout" b || over_b=(b_most="$b_most")
   rm -f "$folder/parts/$layout".{advice,tolerant}
-  tolerant_at "tolerance.$layout.csv" "$layout" "$b"
-  if [ -n "$b" ] && awk "BEGIN { exit !($b > 0.999 * $b_most) }"; then
-    tolerant_at "tolerance.$layout.third.csv" "$layout" "$(times "$b_most" 1/3)"
-  else
-    rm -f "$folder/tolerance.$layout.third.csv"*
-  fi
-  row=$(cat "$folder/tolerance.$layout".{,third.}csv 2> /dev/null | grep -v '^[#k]' | sort -t , -k 4,4gr | sed 1q)
-  [ -n "$row" ] || return 0
+  made "tolerance.$layout.csv" tolerance "$layout" best "${gear[@]}" V_top="$top" "${over_b[@]}" sample=2000 2> /dev/null || {
+    rm -f "$folder/tolerance.$layout.csv"* # none without shimmy
+    return 0
+  }
+  row=$(sed 1,2d "$folder/tolerance.$layout.csv")
   advice_row "$layout" "$row" "${gear[@]}" V_top="$top" > "$folder/parts/$layout.advice"
   local k_s b c_d
   IFS=, read -r k_s b c_d _ <<< "$row"
   design "$layout" 'most tolerant' "$(rigid "${k_s:-inf}")" "${b:-0}" '' "$c_d" > "$folder/parts/$layout.tolerant"
-}
-
-tolerant_at() { # TABLE LAYOUT B
-  made "$1" tolerance "$2" best "${gear[@]}" V_top="$top" ${3:+b="$3"} sample=2000 2> /dev/null || rm -f "$folder/$1"* # none without shimmy
 }
 
 gather_advice() {
@@ -45,7 +36,7 @@ advice_section() {
   if [ "$(awk -F, 'NR > 1 && $5 > 0' "$folder/advice.csv" | wc -l)" -gt 0 ]; then
     advice_words "$folder/advice.csv" "$b_most"
     echo
-    echo "c_d and k_s of each layout are those of the largest tolerance at the inertance of its best damped design or, where that is at its bound, at a third of it if that bears more; speeds up to $top m/s. Another inertance may bear more still, and another layout come first then: \`mlg tolerance LAYOUT best gear=FILE b_most=VALUE\` looks for it, in minutes."
+    echo "The c_d, k_s and b of each layout are those of its largest tolerance that a search up to b = $(number "$b_most") N m s²/rad finds; speeds up to $top m/s."
   else
     echo "**No device of these layouts keeps this gear free of shimmy** at all speeds up to $top m/s, not even exactly as designed."
     nearest_words
