@@ -46,7 +46,7 @@ advice_loads() { # LAYOUT C_D WORD...
 }
 
 # The page of a table of designs, without its title.
-advice_words() { # TABLE [B_MOST]: the bound of b in a study, whose search is a coarser one
+advice_words() { # TABLE [B_MOST]: the bound of b, of a study
   awk -F, -v b_most="${2:-}" '
     function name(l) { return toupper(l) }
     function stiff(k) { return k == "inf" ? "rigid" : sprintf("%.4g N m/rad", k) }
