@@ -124,11 +124,11 @@ make_it() { # as made; in its variables
 
 # Whether the tables that `made` made for the figure are still that: a cut one would be left out unseen.
 check_made() {
-  local stamp names=() damaged
+  local stamp stamps=() damaged
   for stamp in "build/stamps/made.$figure".*; do
-    case $stamp in *.began | *.lock | *'*') ;; *) names+=("${stamp#build/stamps/}") ;; esac
+    case $stamp in *.began | *.lock | *'*') ;; *) stamps+=("${stamp#build/stamps/}") ;; esac
   done
-  damaged=$([ ${#names[@]} -eq 0 ] || mlg stamp whole "${names[@]}") && return
+  damaged=$([ ${#stamps[@]} -eq 0 ] || mlg stamp whole "${stamps[@]}") && return
   damaged=${damaged%%$'\n'*}
   fail "build/tables/${damaged#made.}.csv is not what was made; \`$0 runs\` makes it again" 2
 }
