@@ -10,6 +10,8 @@
                                    docs/design.md names, and the element NAME=VALUE, lie within +-p per cent
     networks.py balance            for each line TEXT,k_s: the static stiffness; for TEXT,k_s,b,c_d the absolute
                                    value of the dynamic one at s = 3 + 70i
+    networks.py corner             for each line TEXT,k_s,b,c_d,p,CORNER,V...: the least damping ratio with each
+                                   NAME+ or NAME- of CORNER a part p above or below its value
     networks.py passive            for each line NUM,DEN,F_z,K (coefficients, powers of s rising):
                                    the same, where NUM/DEN is passive and has a static stiffness of
                                    at least K, else why not
@@ -166,6 +168,16 @@ def inside(line, corners=40, seed=3):
     return worst
 
 
+def least_at_corner(line):
+    text, k_s, b, c_d, part, corner, *V = line.split(",")
+    p = dict(GEAR, k_s=float(k_s), b=float(b), c_d=float(c_d), F_z=200e3)
+    for word in corner.split():
+        p[word[:-1]] *= 1 + float(part) * (1 if word[-1] == "+" else -1)
+    device = [p.pop(name) for name in ("k_s", "b", "c_d")]
+    F_z = p.pop("F_z")
+    return min(damping(eigenvalues(text, *device, v, F_z, **p)) for v in [float(v) for v in V] or np.geomspace(.3, 200., 400))
+
+
 def gear(F_z):
     """The matrix of delta, psi and lambda at V = 0 and what V adds to it, as polynomials in s."""
     p = GEAR
@@ -316,8 +328,9 @@ def main():
     if sys.argv[1] == "count":
         print(*(count_larger if set(sys.argv[2]) & set("KC") else count)(sys.argv[2]))
     else:
+        of_line = {"least": least, "corner": least_at_corner, "inside": inside, "balance": balance, "passive": passive}[sys.argv[1]]
         for line in sys.stdin:
-            answer = {"least": least, "inside": inside, "balance": balance, "passive": passive}[sys.argv[1]](line.strip())
+            answer = of_line(line.strip())
             print(answer if isinstance(answer, str) else "%.10g" % answer)
 
 
