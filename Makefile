@@ -199,7 +199,7 @@ parts_sections := past tori elsewhere
 parts_sweeps := load map play hopf
 parts_joints := cycles play planes friction thresholds dampers starts
 parts_doubts := zB_shared R_moves heading I_p tyre
-parts_networks := small larger inertance
+parts_networks := width small larger inertance
 parts_passive := 180e3 200e3 220e3 gears
 parts_design := own loads over_b largest tolerance map elasticities probability advice auto
 studies := damping transients layouts certify sections sweeps joints doubts networks passive design
@@ -227,6 +227,8 @@ $(parts_sections:%=sections.%): sections.branches
 sections.branches: fig06.a
 design.loads design.tolerance: design.own
 design.elasticities design.probability design.advice: design.tolerance
+
+networks.small: networks.width
 
 export MLG_ASKED := $(or $(filter $(figures) $(studies),$(goals)),$(figures))
 export MLG_STARTED := $(shell date +%s)

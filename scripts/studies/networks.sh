@@ -2,9 +2,9 @@
 # Every small network: its best designs, ranked (docs/networks.md)
 #
 #   scripts/studies/networks.sh      all of it
-#   scripts/studies/networks.sh runs [small | larger | inertance] | tables | draw
+#   scripts/studies/networks.sh runs [width | small | larger | inertance] | tables | draw
 #
-# One search for each network, up to a minute; what was interrupted goes on with the networks that are left.
+# Searches for each network, up to half a minute; what was interrupted goes on with the networks that are left.
 #
 # Writes: results/networks.csv, results/networks_larger.csv, results/networks_b.csv, results/networks.svg, results/networks_larger.svg; build/tables/networks.*.csv
 # Expect: 35 networks; width 264.6269 of L1, 10226.87 of L2, 11244.367 of LI1 at b = 140.4708,
@@ -20,10 +20,18 @@ each_network() {
   mlg networks | awk -F, '/^[0-9]/ { print $1, $2, $4, $7 == "" ? "-" : $7 }'
 }
 
+runs_width() {
+  local number network rest
+  while read -r number network rest; do
+    made "networks.width.$number" "${search[@]}" -- mlg explore "$network" width ratio
+  done < <(each_network)
+}
+
+# From the widest intervals, which runs_width made, and from random places
 runs_small() {
   local number network rest
   while read -r number network rest; do
-    made "networks.$number" "${search[@]}" -- mlg explore "$network" starts=12
+    made "networks.$number" "${search[@]}" -- mlg explore "$network" zeta load tolerance starts=12 "begin=build/tables/networks.width.$number.csv"
   done < <(each_network)
 }
 
@@ -157,7 +165,7 @@ ranked() { # QUANTITY
         k = path == "k_d" ? k_d : path == "k_s" ? $3 : path == "k_d|k_s" ? k_d + $3 : k_d * $3 / (k_d + $3)
         print number, network, layout, sprintf("%.7g", $2), $3 == "inf" ? "" : sprintf("%.7g", $3),
           network ~ /(^|[^_a-z])b($|[^_a-z])/ ? sprintf("%.6g", $4) : "", sprintf("%.7g", $5), sprintf("%.7g", $6),
-          sprintf("%.6g", k), $7, $8, ($7 > 1 || ($8 == 1 && quantity ~ /width|ratio/) ? "yes" : "no") }' "build/tables/networks.$number.csv"
+          sprintf("%.6g", k), $7, $8, ($7 > 1 || ($8 == 1 && quantity ~ /width|ratio/) ? "yes" : "no") }' build/tables/networks.{width.,}"$number.csv"
   done < <(each_network) | sort -t, -k4,4gr -k1,1n | awk -v OFS=, -v quantity="$1" '{ print quantity, NR, $0 }'
 }
 
