@@ -214,10 +214,10 @@ tables() {
     "# Every series-parallel network of k_d, c_d and at most one of each of k_s and b that has a path of springs, behind k_psi" \
     "# (docs/networks.md): the best designs by a search over k_s from 1e4 (k_d, where k_s carries alone) to 1e9 N m/rad, b from 0" \
     "# to 300 N m s^2/rad and all c_d, ranked. quantity: width, N m s/rad, and ratio of the zero-shimmy interval c_lo to c_hi where" \
-    "# that is largest, exact over k_s, b to 1e-8 of its range; zeta, the largest least damping ratio over V in 0.3..200 m/s," \
-    "# good to 0.1 %; load, N, the largest static load at which a design has no shimmy; tolerance p, %, by all corners. static" \
-    "# N m/rad, without k_psi. met of starts: how many came within 1 % of the best, of a load within 0.1 %; converged: two at" \
-    "# least, or there is nothing to start from but c_d and k_s; else the value is a bound from below."
+    "# that is largest, exact over k_s, b to 1e-8 of its range; zeta, the largest least damping ratio over V in 0.3..200 m/s;" \
+    "# load, N, the largest static load at which a design has no shimmy; tolerance p, %, by all corners; these where met good to" \
+    "# 1e-6. static N m/rad, without k_psi. met of starts: how many came within 1 % of the best, of a load within 0.1 %;" \
+    "# converged: two at least, or there is nothing to start from but c_d and k_s; else the value is a bound from below."
   {
     echo quantity,rank,number,network,layout,value,k_s,b,c_lo,c_hi,static,met,starts,converged
     for quantity in width ratio zeta load tolerance; do ranked $quantity; done
