@@ -31,7 +31,8 @@ runs_width() {
 runs_small() {
   local number network rest
   while read -r number network rest; do
-    made "networks.$number" "${search[@]}" -- mlg explore "$network" zeta load tolerance starts=12 "begin=build/tables/networks.width.$number.csv"
+    made "networks.$number" "${search[@]}" "build/tables/networks.width.$number.csv" -- \
+      mlg explore "$network" zeta load tolerance starts=12 "begin=build/tables/networks.width.$number.csv"
   done < <(each_network)
 }
 
