@@ -12,7 +12,7 @@
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 
 search=(models/{mlg,network,linearised}.h
-  models/libmlg/{best_ratio,boundary_points,climb,cma,crossing,crossing_extrema,crossing_roots,device_layout,device_text,free,mode,tolerance,widest}.c
+  models/libmlg/{best_ratio,boundary_points,climb,cma,crossing,crossing_extrema,crossing_roots,device_layout,device_text,free,golden,mode,tolerance,widest}.c
   scripts/mlg/gear/{explore,explore_interval,explore_load,explore_tolerance,explorer,weakest}.c)
 
 # NUMBER NETWORK PATH LAYOUT of each, as mlg networks has them
