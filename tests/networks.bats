@@ -421,20 +421,30 @@ EOF
 }
 
 @test "every passive device of the table is passive, stiff enough, and as well damped as it says" {
-  awk -F, -v OFS=, '$1 == "order" || $1 == "any" { print $14, $15, $2 + 0, $1 == "any" ? 0 : 109e3 }' "$ROOT/results/passive.csv" | oracle passive > ours
-  paste -d ' ' ours <(awk -F, '$1 == "order" || $1 == "any" { print $5 }' "$ROOT/results/passive.csv") \
-    | awk '{ if ($1 + 0 == 0 || ($1 - $2) ^ 2 > (1e-2 * $2) ^ 2 + 1e-14) { print; exit wrong = 1 } } END { exit wrong || NR < 26 }'
+  awk -F, -v OFS=, '$3 == "passive" { print $14, $15, $2 + 0, $1 == "any" ? 0 : 109e3, $1 == "fast" ? 10 : 0.3 }' "$ROOT/results/passive.csv" | oracle passive > ours
+  paste -d ' ' ours <(awk -F, '$3 == "passive" { print $5 }' "$ROOT/results/passive.csv") \
+    | awk '{ if ($1 + 0 == 0 || ($1 - $2) ^ 2 > (2e-3 * $2) ^ 2 + 1e-14) { print; exit wrong = 1 } } END { exit wrong || NR != 48 }'
 }
 
 @test "no higher order and no lesser static stiffness damps less; no known device is better; the search finds L1" {
-  awk -F, '$1 == "order" || $1 == "any" { if ($1 $2 == series && $5 < zeta) { print; exit wrong = 1 } series = $1 $2; zeta = $5 }
+  awk -F, '$3 == "passive" { if ($1 $2 == series && $5 < zeta) { print; exit wrong = 1 } series = $1 $2; zeta = $5 }
     $1 == "order" { stiff[$2, $4] = $5 }
-    $1 == "any" && $5 < 0.999 * stiff[$2, $4] { print; exit wrong = 1 } END { exit wrong }' "$ROOT/results/passive.csv"
+    $1 != "order" && $3 == "passive" && $5 < 0.999 * stiff[$2, $4] { print; exit wrong = 1 } END { exit wrong }' "$ROOT/results/passive.csv"
   # of its order, with any static stiffness: L1, L2, LI1, LI2
-  paste -d ' ' <(awk -F, '$1 == "any" && $2 == "200e3" { print $5 }' "$ROOT/results/passive.csv") \
+  paste -d ' ' <(awk -F, '$1 == "any" && $2 == "200e3" && $4 <= 4 { print $5 }' "$ROOT/results/passive.csv") \
     <(for layout in l1 l2 li1 li2; do mlg pick "$ROOT/results/networks.csv" where=quantity=zeta where=layout=$layout columns=value; done) \
     | awk '$1 < 0.999 * $2 { print; exit wrong = 1 } END { exit wrong || NR != 4 }'
   near "$(mlg passive order=1 starts=2 | awk -F, '$1 == 1 { print $2 }')" "$(cell zeta damping l1 best)" 1e-3 zeta
+}
+
+@test "a search over passive devices goes on from a table of lower orders, and takes none of another gear" {
+  mlg passive order=2 starts=1 > whole
+  head -n 3 whole > first
+  mlg passive order=2 starts=1 from=first | cmp - whole
+  run -2 bash -c "build/bin/mlg passive from=first F_z=180e3 2>&1 > /dev/null"
+  [[ "$output" == "mlg passive: first: order 1 has zeta = "*", with this gear and range of V it is "* ]]
+  run -2 bash -c "build/bin/mlg passive from='$ROOT/results/passive.csv' 2>&1 > /dev/null"
+  [ "$output" = "mlg passive: $ROOT/results/passive.csv: no table of mlg passive, for it has no column 'order'" ]
 }
 
 @test "the delta mode of locked wheels is that of the gear with a rigid device" {

@@ -195,7 +195,7 @@ def gear(F_z):
 
 
 def passive(line):
-    num, den, F_z, least_static = line.split(",")
+    num, den, F_z, least_static, *V_least = line.split(",")
     P = np.polynomial.Polynomial
     num, den = (P([float(x) for x in text.split()]) for text in (num, den))
     s = 1j * np.geomspace(1e-2, 1e6, 4000)
@@ -209,7 +209,7 @@ def passive(line):
     A11, A12, A22, Ls, q, tyre, D1, D2 = gear(float(F_z))
     whole_num, whole_den = num * GEAR["k_psi"], num + den * GEAR["k_psi"]  # with k_psi
     worst = 1.
-    for V in np.geomspace(.3, 200., 400):
+    for V in np.geomspace(float(V_least[0]) if V_least else .3, 200., 400):
         t, p = tyre(V), q(V)
         free = A11 * (A22 * t + p * D2) - A12 * (A12 * t + Ls * D2) + (A22 * Ls - A12 * p) * D1
         F = (whole_den * free + whole_num * (A11 * t + Ls * D1)).coef

@@ -15,10 +15,11 @@ do for [ending in "png svg"] {
   set multiplot layout 1,2 margins 0.07,0.98,0.12,0.92 spacing 0.08
   set logscale y; set format y "10^{%T}"; set yrange [1e-5:0.3]
   set title "(a) any passive device"; set xlabel "order of the device"; set ylabel "least damping ratio ζ over V"
-  set xrange [0.6:6.4]; set xtics 1; set key bottom right
+  set xrange [0.6:7.4]; set xtics 1; set key bottom right
   plot for [i=1:3] rows("order where=F_z=".load[i]) with linespoints lc rgb colour[i] lw 2 pt 7 \
          title "F_z = ".load[i][1:3]." kN", \
        for [i=1:3] rows("any where=F_z=".load[i]) with linespoints lc rgb colour[i] lw 1.5 dt (2,3) pt 6 title (i == 2 ? "with any static stiffness" : ""), \
+       rows("fast where=F_z=200e3") with linespoints lc rgb colour[2] lw 1.5 dt (8,3) pt 4 title "200 kN, V from 10 m/s", \
        for [k=1:5] "+" using (order[k]):(device(word(devices, k))) every ::::0 with points pt 2 ps 1.2 lw 2 lc rgb "#000000" title (k == 1 ? "L1, L2, LI1, LI4, LI2" : ""), \
        required with lines lc rgb "#000000" dt (8,4) title "a quarter after three cycles, 0.0735", \
        delta("strut") with lines lc rgb "#7f7f7f" lw 1.5 title "the strut's own damping", \
