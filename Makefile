@@ -390,7 +390,7 @@ study-check: $(models) build/bin/eigen-l1 build/bin/eigen-li2 ## studies of 10 r
 	@tests/study/random.sh $(or $(gears),10)
 
 .PHONY: prove
-prove: build/bin/random-compare build/bin/random-oracle ## 2000 random gears, all layouts, against the oracle; two minutes on two cores
+prove: build/bin/random-compare build/bin/random-oracle ## 2000 random gears, all layouts, against the oracle; three minutes on two cores
 	@build/bin/random-compare hard tests/random/hard.csv
 	@build/bin/random-compare units 100
 	@build/bin/random-compare 1000 first=1000 2> /dev/null & other=$$!; \

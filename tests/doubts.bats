@@ -195,13 +195,13 @@ END
     mlg intervals "$layout" k_s="$k_s" b="$b" "$word" | sed 1,2d | sort -t, -k5,5gr | head -n 1 >one
     if [ "$width" = 0 ]; then
       [ ! -s one ]
-    else
-      near "$c_lo" "$(cut -d, -f1 one)" 1e-6 "$doubt=$value $layout"
-      near "$c_hi" "$(cut -d, -f2 one)" 1e-6 "$doubt=$value $layout"
+    else # k_s has seven digits
+      near "$c_lo" "$(cut -d, -f1 one)" 3e-6 "$doubt=$value $layout"
+      near "$c_hi" "$(cut -d, -f2 one)" 3e-6 "$doubt=$value $layout"
     fi
     n=$((n + 1))
   done < <(mlg pick results/doubts.csv where=choice=paper columns=doubt,value,layout,b,k_s,c_lo,c_hi,width | 
-    awk -F, 'BEGIN { srand(14) } $3 !~ /li[345]/ && rand() < 0.15') # those stand at an onset: the last digit of k_s decides
+    awk -F, 'BEGIN { srand(14) } ($3 !~ /li[3-7]/ || $2 != 0) && rand() < 0.1') # without doubts those stand at an onset: the last digit of k_s decides
   [ "$n" -ge 15 ]
   # every zeta is the least one at its c_d
   [ "$(mlg pick results/doubts.csv where=zeta= where=choice=paper columns=doubt | grep -c '^[zRhIt]')" -eq 0 ]
@@ -210,4 +210,30 @@ END
     [ "$doubt" != tyre ] || word=gear=constants/gear.somieski
     near "$(mlg damping "$layout" k_s="$k_s" b="$b" c_d="$c_d" "$word" | sed -n 2p | cut -d, -f1)" "$zeta" 1e-2 "zeta of $doubt=$value $layout"
   done < <(mlg pick results/doubts.csv where=choice=damped columns=doubt,value,layout,b,k_s,c_d,zeta | awk -F, 'BEGIN { srand(141) } rand() < 0.1')
+}
+
+# free_of LAYOUT C_D WORD...: no Hopf point over V at c_d, by the eigenvalues
+free_of() {
+  "build/bin/eigen-$1" boundary free=V from=0.1 to=200 step=0.5 c_d="$2" "${@:3}" | awk 'NR > 1 && !/no Hopf point/ { exit found = 1 } END { exit found }'
+}
+
+@test "random widest intervals of the table of record, by the eigenvalues too" {
+  local doubt value layout b k_s c_lo c_hi width word n=0 part
+  while IFS=, read -r doubt value layout b k_s c_lo c_hi width; do
+    word=$doubt=$value
+    near "$width" "$(cell width widest "$layout" b="$b" "$word")" 1e-6 "width of $layout with $word"
+    # beside k_s, which may be where a region is born
+    word="$word b=$b k_s=$(awk -v k_s="$k_s" 'BEGIN { print (k_s == "inf" ? 1e30 : 0.9999 * k_s) }')"
+    for part in 0.02 0.5 0.98; do
+      # shellcheck disable=SC2086 # words
+      free_of "$layout" "$(awk "BEGIN { print $c_lo * ($c_hi / $c_lo) ^ $part }")" $word
+    done
+    for part in -0.02 1.02; do
+      # shellcheck disable=SC2086
+      run ! free_of "$layout" "$(awk "BEGIN { print $c_lo * ($c_hi / $c_lo) ^ $part }")" $word
+    done
+    n=$((n + 1))
+  done < <(mlg pick results/doubts.csv where=choice=widest columns=doubt,value,layout,b,k_s,c_lo,c_hi,width |
+    awk -F, 'BEGIN { srand(14) } $1 ~ /^(zB_shared|R_moves|heading)$/ && $8 > 0 && $3 != "l2" && rand() < 0.05')
+  [ "$n" -ge 6 ]
 }

@@ -14,11 +14,14 @@
 readonly blends="0 0.1 0.2 0.3 0.4 0.5 0.6 0.7 0.8 0.9 1" inertias="0 0.25 0.5 0.75 1 1.5 2 3 5"
 names=doubt,value,layout,choice,b,k_s,c_lo,c_hi,width,limit,c_d,zeta,V,frequency_hz,shimmy
 
+# The paper's layouts and those of results/widths.csv
+studied() { echo l1 l2 "$(awk -F, '!/^#/ && $1 != "layout" && !seen[$1]++ { print $1 }' results/widths.csv | xargs)"; }
+
 # Sets k_s and b: those of paper_gear, of the other layouts where they are widest
 design() { # LAYOUT
   case $1 in
-    li[345]) IFS=, read -r b k_s < <(mlg pick results/widths.csv where=layout="$1" columns=width,b,k_s | sort -t, -k1,1gr | sed -n '1s/^[^,]*,//p') ;;
-    *) paper_gear "$1" ;;
+    l1 | l2 | li1 | li2) paper_gear "$1" ;;
+    *) IFS=, read -r b k_s < <(mlg pick results/widths.csv where=layout="$1" columns=width,b,k_s | sort -t, -k1,1gr | sed -n '1s/^[^,]*,//p') ;;
   esac
 }
 
@@ -49,13 +52,13 @@ rows() { # DOUBT VALUE LAYOUT WORD...
 along() { # DOUBT VALUE...
   local value layout
   for value in "${@:2}"; do
-    for layout in l1 l2 li1 li2 li3 li4 li5; do rows "$1" "$value" "$layout" "$1=$value"; done
+    for layout in $(studied); do rows "$1" "$value" "$layout" "$1=$value"; done
   done
 }
 
 of() { # NAME COMMAND...
   local files=() layout
-  for layout in l1 l2 li1 li2 li3 li4 li5; do
+  for layout in $(studied); do
     mapfile -t -O ${#files[@]} files < <(sources "$layout" models/libmlg/{best_ratio,boundary_points,crossing,crossing_extrema,crossing_roots,crossing_spin,widest}.c models/linearised.h)
   done
   made "doubts.$1" "${files[@]}" scripts/studies/doubts.sh -- "${@:2}"
@@ -73,7 +76,7 @@ runs_I_p() { of I_p along I_p $inertias; }
 # The other tyre, and it with what else there is for realistic wheels
 tyre() {
   local layout
-  for layout in l1 l2 li1 li2 li3 li4 li5; do
+  for layout in $(studied); do
     rows tyre 1 "$layout" gear=constants/gear.somieski
   done
 }
@@ -107,13 +110,14 @@ tables() {
   begin_table results/doubts.csv \
     "# Zero-shimmy intervals and least damping ratios along the doubts of docs/doubts.md: doubt at value (0 the paper;" \
     "# I_p kg m^2; tyre: constants/gear.somieski; k_lambda 1/rad), the others 0. choice: paper, at the paper's k_s and b (LI2: k_s is ours; LI3" \
-    "# to LI5: their widest); widest, at the k_s of the widest interval at that b, limit: what ends its growth; damped, at" \
-    "# the best k_s. c_lo to c_hi and width N m s/rad, 0 without an interval; c_d the best, zeta the least over V in 0.3..200" \
+    "# to LI7: their widest); widest, at the k_s of the widest interval at that b, limit: what ends its growth; damped, at" \
+    "# the best k_s. c_lo to c_hi and width N m s/rad, width 0 without an interval; c_d the best, zeta the least over V in 0.3..200" \
     "# m/s there, at V m/s with frequency_hz Hz. k_s N m/rad (inf: rigid), b N m s^2/rad. All exact, by mlg intervals," \
     "# widest and damping; an empty zeta is no answer."
   {
     echo $names
-    cat build/tables/doubts.{zB_shared,R_moves,heading,I_p,tyre,k_lambda}.csv
+    # the k_s of no interval says nothing
+    awk -F, -v OFS=, '$4 == "widest" && $9 == 0 { $6 = $7 = $8 = "" } 1' build/tables/doubts.{zB_shared,R_moves,heading,I_p,tyre,k_lambda}.csv
   } > build/tables/doubts.rows.csv
   mlg pick build/tables/doubts.rows.csv head columns=doubt,value,layout,choice,b:.7g,k_s:.7g,c_lo:.8g,c_hi:.8g,width:.7g,limit,c_d:.6g,zeta:.4g,V:.4g,frequency_hz:.5g,shimmy >> "$table.new"
   replace "$table"
