@@ -463,6 +463,19 @@ full() {
   done
 }
 
+@test "a study without its runs leaves the tables of record as they were" {
+  local study
+  rm -rf build/runs results build/tables build/stamps
+  mkdir -p results build/tables
+  cp "$ROOT"/results/*.csv results
+  sha256sum results/* >kept.sums
+  for study in scripts/studies/*.sh; do
+    run ! "$study" tables
+    sha256sum --check --quiet kept.sums || { echo "$study" && false; }
+  done
+  refuses 'design: there is no build/tables/design.loads.l1.csv; scripts/studies/design.sh runs makes it' scripts/studies/design.sh tables
+}
+
 # begin NAME COMMAND...: in the background, until AUTO has begun on that run
 begin() {
   local name=$1

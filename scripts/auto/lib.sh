@@ -64,7 +64,11 @@ end_table() {
   replace "$points_table"
 }
 
-replace() { # FILE: by FILE.new, unless they are the same
+replace() { # FILE: by FILE.new, unless they are the same; a table of results/ by one that has rows
+  if [[ $1 == results/*.csv ]] && [ "$(grep -vc '^#' "$1.new")" -lt 2 ]; then
+    rm "$1.new"
+    fail "$figure: there are no rows for $1; \`$0 runs\` makes what they come from" 2
+  fi
   use "$1"
   if cmp -s "$1.new" "$1"; then rm "$1.new"; else mv "$1.new" "$1"; fi
   case $1 in results/*.csv) keep "$1" ;; esac

@@ -72,7 +72,7 @@ do for [ending in "png svg"] {
   set title "(d) largest width in damping over k_s" offset 0,-0.6
   set xrange [0:300]; set xtics 20; set xlabel "b (N m s^2/rad)" offset 0,0.6
   set yrange [0:27]; set ytics 5; set ylabel "width (kN m s/rad)"
-  set key left top horizontal samplen 2 autotitle
+  set key left top horizontal Left reverse samplen 2 autotitle
   L2 = number("widths width layout=li2 b=0")
   plot kilo*L2 with lines lc rgb "#808080" lw 2 title "L2", \
        widths("li1") using 2:(kilo*$6) with lines lc rgb "#808080" dt (2,3) lw 2 title "LI1", \

@@ -236,10 +236,20 @@ runs_auto() {
 
 # --- tables -----------------------------------------------------------------------------------------
 
-rows_of() { # NAME...: of build/tables/design.NAME.LAYOUT.csv, by layout
-  local layout name
+rows_of() { # NAME...: of build/tables/design.NAME.LAYOUT.csv, by layout, as the runs make them
+  local layout name file
   for layout in "${layouts[@]}"; do
-    for name; do [ ! -f "build/tables/design.$name.$layout.csv" ] || cat "build/tables/design.$name.$layout.csv"; done
+    for name; do
+      case $name:$layout in
+        *_b:l1 | *_b:l2) continue ;;
+        map:li1 | map:li2) ;;
+        map:*) continue ;;
+        largest:*) is_papers "$layout" || continue ;;
+      esac
+      file=build/tables/design.$name.$layout.csv
+      [ -s "$file" ] || fail "design: there is no $file; $0 runs makes it" 2
+      cat "$file"
+    done
   done
 }
 
