@@ -19,3 +19,7 @@
   make --no-print-directory -n -B build/models/l1.o build/mlg/main.o CC='gcc -std=gnu2x' CFLAGS=-O3 >"$BATS_TEST_TMPDIR/commands"
   [ "$(grep -c '^{ gcc -std=gnu2x -O3 -std=c11' "$BATS_TEST_TMPDIR/commands")" -eq 2 ]
 }
+
+@test "every change made on purpose (make mutants) applies, and names tests that there are" {
+  tests/mutants.sh check
+}
