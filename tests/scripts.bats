@@ -12,7 +12,7 @@
   include=$(sed -n 's/^AUTO_INCLUDE = //p' build/auto.mk)
   read -ra sundials < <(scripts/auto/sundials.sh)
   for file in models/*.c models/libmlg/*.c scripts/mlg/*.c scripts/mlg/*/*.c tests/eigen.c tests/random/*.c; do
-    gcc -fsyntax-only -std=c11 -D_DEFAULT_SOURCE -Wall -Wextra -Wpedantic -Werror -Imodels -Imodels/libmlg -Iscripts/mlg{,/gear,/auto} -Ibuild/libmlg \
+    gcc -fsyntax-only -std=c11 -D_DEFAULT_SOURCE -Wall -Wextra -Wpedantic -Werror -Imodels -Imodels/libmlg -Iscripts/mlg{,/gear,/auto,/report,/sweep} -Ibuild/libmlg \
       -isystem "$include" -DLAYOUT='"l1.c"' -DNAME=l1 "$file" "${sundials[@]}"
   done
   # whatever the user's flags, the models are compiled as C11
