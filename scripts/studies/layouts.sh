@@ -6,9 +6,9 @@
 # Writes: results/layouts.csv (regions over k_s), layouts_planes.csv (Hopf curves),
 #         layouts_branches.csv (shimmy at c_d = 3.6e4), results/layouts.png and .svg,
 #         build/tables/boundary.layouts.csv, build/tables/widths.layouts.csv
-# Expect: largest width over k_s and b, N m s/rad: LI3 14101 at b = 28.77; LI4 grows
+# Expect: largest width over k_s and b, N m s/rad: LI3 14101 at b = 28.78; LI4 grows
 #         with b as LI2 does, 16859 at b = 140; LI5 7848 at b = 100.69, where the third
-#         psi region takes over from BP1 as the lower bound.
+#         psi region takes over from BP1 as the lower bound; LI6 13766 at b = 254.25; LI7 10246 at b = 27.04.
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 . scripts/auto/boundary.sh
 . scripts/curves.sh
