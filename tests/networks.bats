@@ -236,6 +236,12 @@ EOF
   mlg widest l2 F_z="$(awk "BEGIN { print $load * 1.0001 }")" | grep -q ',no interval'
 }
 
+@test "an interval at the largest b and the least k_s alone is found" {
+  mlg explore 'k_s|((k_d|b)-c_d)' width > found
+  awk -F, '$1 == "width" { exit !($2 > 216.34 && $2 < 216.35 && $3 == 109000 && $4 == 300) }' found
+  grep -q '^width' found
+}
+
 @test "what is free is searched for every quantity, begins where a table says, and varies with the tolerance" {
   # two dampers side by side are one: the same damping, load and tolerance, whatever part of it each has
   mlg explore l1 zeta load starts=1 > one

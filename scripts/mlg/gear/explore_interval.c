@@ -84,7 +84,8 @@ static double widest_at(struct widest *w, double v)
   return w->size;
 }
 
-/* Golden section over v, to this part of its range. */
+/* Golden section over v, to this part of its range, from *w, where something is known.  Where neither
+ * place has an interval it goes on towards that. */
 static struct widest between(struct widest w, double left, double right, double part_left, int *asked)
 {
   const double part = 0.6180339887498949;
@@ -94,10 +95,11 @@ static struct widest between(struct widest w, double left, double right, double 
   widest_at(&b, left + part * (right - left));
   for (*asked += 2; right - left > part_left; ++*asked) {
     const struct widest *const better = a.size >= b.size ? &a : &b;
+    const int neither = !isfinite(a.size) && !isfinite(b.size);
 
     if (better->size > best.size)
       best = *better;
-    if (a.size >= b.size) {
+    if (neither ? w.v < 0.5 * (left + right) : a.size >= b.size) {
       right = b.v;
       b = a;
       widest_at(&a, right - part * (right - left));
@@ -139,14 +141,25 @@ static void beside(struct widest *best, const double given[])
 
 /* --- over b --------------------------------------------------------------------------------------- */
 
-/* The best of the stretches of v, each with those beside it, to result[]. */
+/* The best of the stretches of v, each with those beside it and from the best of its nodes, to result[]. */
 static struct widest over_b(const struct widest *none, double result[], int *asked)
 {
   const double step = 1. / STRETCHES;
-  struct widest best = *none;
+  struct widest best = *none, node[STRETCHES + 1];
 
+  for (int k = 0; k <= STRETCHES; k++) {
+    node[k] = *none;
+    widest_at(&node[k], k * step);
+    ++*asked;
+  }
   for (int i = 0; i < STRETCHES; i++) {
-    const struct widest here = between(*none, fmax(0., (i - 1) * step), fmin(1., (i + 2) * step), 1e-3, asked);
+    const int first = i > 0 ? i - 1 : 0, last = i + 2 < STRETCHES ? i + 2 : STRETCHES;
+    const struct widest *from = &node[first];
+
+    for (int k = first + 1; k <= last; k++)
+      if (node[k].size > from->size)
+        from = &node[k];
+    const struct widest here = between(*from, first * step, last * step, 1e-3, asked);
 
     result[i] = here.size;
     if (here.size > best.size)
