@@ -60,10 +60,10 @@ tables() {
   begin_table results/passive.csv \
     "# The largest least damping ratio zeta over V in 0.3..200 m/s of any passive device behind k_psi (docs/networks.md)." \
     "# case order: of order n, with a static stiffness of at least k_d, x = n; any: with any static stiffness; fast: as order," \
-    "# V from 10 m/s. met of starts came within 1 % of the best; K its static stiffness and Z its dynamic stiffness at 17.5 Hz," \
-    "# N m/rad. delta: the delta mode alone, wheels locked in torsion (locked) or with the best complex Z (any), and the strut" \
-    "# without tyre (strut). gear: a parameter of the gear times the" \
-    "# factor x, at 200 kN, for these and the best L1 (l1). F_z N, V m/s. num, den: coefficients of Z, powers of s rising, SI."
+    "# V from 10 m/s. zeta is at V, m/s, of the mode of frequency_hz and shimmy. met of starts came within 1 % of the best; which" \
+    "# rows are of which starts: docs/networks.md. K static stiffness, Z dynamic stiffness at 17.5 Hz, N m/rad. delta: the delta" \
+    "# mode alone, wheels locked in torsion (locked) or with the best complex Z (any), and the strut without tyre (strut). gear: a" \
+    "# parameter of the gear times x, at 200 kN, for these and the best L1 (l1). F_z N. num, den: coefficients of Z, powers of s rising, SI."
   {
     echo case,F_z,what,x,zeta,V,frequency_hz,shimmy,K,Z_re,Z_im,met,starts,num,den
     for F_z in "${loads[@]}"; do
