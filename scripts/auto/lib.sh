@@ -64,8 +64,8 @@ end_table() {
   replace "$points_table"
 }
 
-replace() { # FILE: by FILE.new, unless they are the same; a table of results/ by one that has rows
-  if [[ $1 == results/*.csv ]] && [ "$(grep -vc '^#' "$1.new")" -lt 2 ]; then
+replace() { # FILE: by FILE.new, unless they are the same; the table that was begun by one that has rows
+  if [[ $1 == results/*.csv && $1 == "${table:-}" ]] && [ "$(grep -vc '^#' "$1.new")" -lt 2 ]; then
     rm "$1.new"
     fail "$figure: there are no rows for $1; \`$0 runs\` makes what they come from" 2
   fi
