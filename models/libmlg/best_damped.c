@@ -21,6 +21,9 @@
 
 enum { NODES_K_S = 64, NODES_B = 32, MOST_LOADS = 7, WITNESSES = 12, MOST = 2 * CROSSING_TERMS, ROUNDS = 16, RAISES = 6 };
 
+/* So near to rigid a climb goes: the slope along k_s has no number there. */
+static const double least_u = 1e-9;
+
 struct range { double lo, hi; }; /* of c_d, N m s/rad */
 
 /* A speed of one load at which c_d were refused, m/s. */
@@ -277,7 +280,7 @@ static int climb_at(const double x[], struct climb_piece *piece, void *context)
   struct libmlg_ratio here;
   int load, n = 0;
 
-  const double u = s->over_u ? fmax(x[n++], 1e-9) : s->held_u, v = s->over_v ? x[n++] : s->held_v, w = x[n];
+  const double u = s->over_u ? fmax(x[n++], least_u) : s->held_u, v = s->over_v ? x[n++] : s->held_v, w = x[n];
   const double c_d = s->c_scale * w / (1. - w);
 
   devices_put(d, u, v);
@@ -347,7 +350,7 @@ static double at_u(double u, void *context)
 static double about_u(struct search *s, double u, double v, double half, double known)
 {
   s->held_v = v;
-  return golden_largest(at_u, s, fmax(1e-9, u - half), fmin(PLACES_SOFTEST, u + half), 1e-6 * half, &u, known);
+  return golden_largest(at_u, s, fmax(least_u, u - half), fmin(PLACES_SOFTEST, u + half), 1e-6 * half, &u, known);
 }
 
 /* The largest ratio at one b, from the best design. */
@@ -417,7 +420,7 @@ static void to_known_digits(struct search *s)
   struct devices *const d = &s->device;
   struct libmlg_ratio here;
 
-  devices_put(d, s->u, s->v);
+  devices_put(d, s->u <= least_u ? 0. : s->u, s->v);
   if (libmlg_best_c_d_from(d->layout, d->par, s->V_least, s->V_top, &s->best) != 0)
     s->status = LIBMLG_UNSURE;
   if (d->over_k_s)
@@ -455,6 +458,8 @@ int libmlg_best_damped(int layout, const double par[], double b_least, double b_
     return status;
   }
   *best = s.best;
+  if (best->k_s >= MLG_RIGID)
+    best->k_s = INFINITY;
   return s.best.zeta > -1. ? 0 : s.status;
 }
 
