@@ -61,13 +61,6 @@ static int loads(const struct search *s)
 
 /* --- is some c_d better? --------------------------------------------------------------------------- */
 
-static int rising(const void *a, const void *b)
-{
-  const double x = ((const struct crossing_at *)a)->c, y = ((const struct crossing_at *)b)->c;
-
-  return (x > y) - (x < y);
-}
-
 static double inside(struct range r)
 {
   if (!(r.lo > 0.))
@@ -92,7 +85,7 @@ static int refuse(const struct crossing *x, double V, struct range left[], int n
   const int crossings = crossings_at_V(x, V / x->V_unit, at);
   int m = 0;
 
-  qsort(at, (size_t)crossings, sizeof *at, rising);
+  crossings_by_c(at, crossings);
   for (int i = 0; i <= crossings; i++) {
     const struct range here = { i > 0 ? at[i - 1].c * x->c_unit : 0., i < crossings ? at[i].c * x->c_unit : INFINITY };
     int common = 0;
@@ -116,13 +109,7 @@ static int is_above(const struct search *s, const struct crossing *x, double c_d
   const int crossings = crossings_at_c(x, c, V_least, V_top, at);
   double least = INFINITY;
 
-  for (int i = 0; i < crossings; i++) /* by rising speed */
-    for (int k = i; k > 0 && at[k].V < at[k - 1].V; k--) {
-      const struct crossing_at swap = at[k];
-
-      at[k] = at[k - 1];
-      at[k - 1] = swap;
-    }
+  crossings_by_V(at, crossings);
   for (int i = 0; i <= crossings; i++) {
     const double here = 0.5 * ((i > 0 ? at[i - 1].V : V_least) + (i < crossings ? at[i].V : V_top));
     const double zeta = crossing_ratio(x, here, c);
@@ -450,16 +437,9 @@ int libmlg_best_damped(int layout, const double par[], double b_least, double b_
     climb_on(&s, 1. / NODES_B);
     to_known_digits(&s);
   }
-  if (!(s.best.zeta > -1.) && s.status == 0) { /* a real eigenvalue grows with any: par's own stands for them */
-    const int status = libmlg_best_c_d(layout, par, V_least, V_top, best);
-
-    if (best->k_s >= MLG_RIGID)
-      best->k_s = INFINITY;
-    return status;
-  }
+  if (!(s.best.zeta > -1.) && s.status == 0) /* a real eigenvalue grows with any: par's own stands for them */
+    return libmlg_best_c_d(layout, par, V_least, V_top, best);
   *best = s.best;
-  if (best->k_s >= MLG_RIGID)
-    best->k_s = INFINITY;
   return s.best.zeta > -1. ? 0 : s.status;
 }
 

@@ -66,7 +66,7 @@ double best_ratio_V_least(double V_least, double V_top)
 
 static void into_SI(const struct crossing *x, const double slots[], struct libmlg_ratio *r)
 {
-  r->k_s = slots[PAR_K_S];
+  r->k_s = slots[PAR_K_S] < MLG_RIGID ? slots[PAR_K_S] : INFINITY;
   r->b = slots[PAR_B];
   r->c_d *= x->c_unit;
   r->V *= x->V_unit;

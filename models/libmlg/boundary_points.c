@@ -265,24 +265,10 @@ static struct libmlg_point point_of(const struct problem *p, const struct crossi
                                 delta_over_psi(p->par, V, omega * mlg_ray(p->x.zeta)), kind };
 }
 
-static int by_V(const void *a, const void *b)
-{
-  const double x = ((const struct crossing_at *)a)->V, y = ((const struct crossing_at *)b)->V;
-
-  return (x > y) - (x < y);
-}
-
-static int by_c_d(const void *a, const void *b)
-{
-  const double x = ((const struct crossing_at *)a)->c, y = ((const struct crossing_at *)b)->c;
-
-  return (x > y) - (x < y);
-}
-
 static int hand_over(const struct problem *p, struct crossing_at at[], int n, struct libmlg_point point[], int most,
-                     int order(const void *, const void *))
+                     void sort(struct crossing_at[], int))
 {
-  qsort(at, (size_t)n, sizeof *at, order);
+  sort(at, n);
   for (int i = 0; i < n && i < most; i++)
     point[i] = point_of(p, &at[i], LIBMLG_HOPF);
   return n;
@@ -303,7 +289,7 @@ int libmlg_hopf_at_c_d(int layout, const double par[], double zeta, double V_lea
   if (!is_range(V_least, V_top) || problem(&p, layout, par, zeta) != 0)
     return LIBMLG_NONE;
   return hand_over(&p, at, crossings_at_c(&p.x, p.par[PAR_C_D] / p.x.c_unit, V_least / p.x.V_unit, V_top / p.x.V_unit, at),
-                   point, most, by_V);
+                   point, most, crossings_by_V);
 }
 
 int libmlg_hopf_at_V(int layout, const double par[], double zeta, struct libmlg_point point[], int most)
@@ -313,7 +299,7 @@ int libmlg_hopf_at_V(int layout, const double par[], double zeta, struct libmlg_
 
   if (problem(&p, layout, par, zeta) != 0)
     return LIBMLG_NONE;
-  return hand_over(&p, at, crossings_at_V(&p.x, p.par[PAR_V] / p.x.V_unit, at), point, most, by_c_d);
+  return hand_over(&p, at, crossings_at_V(&p.x, p.par[PAR_V] / p.x.V_unit, at), point, most, crossings_by_c);
 }
 
 /* Both at once, for what they share; *points and *intervals may be LIBMLG_UNSURE. */

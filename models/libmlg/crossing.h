@@ -49,6 +49,10 @@ int crossings_at_c(const struct crossing *x, double c, double V_least, double V_
 /* The same at one V, for c > 0. */
 int crossings_at_V(const struct crossing *x, double V, struct crossing_at out[]);
 
+/* Sorts crossings by rising V, or by rising c. */
+void crossings_by_V(struct crossing_at at[], int n);
+void crossings_by_c(struct crossing_at at[], int n);
+
 /* Both roots c of G at one t, [0] with + sqrt(D), [1] with -, each with its V; D < 0: none
  * is real and both are the real part.  Along t each goes on smoothly. */
 double crossings_at_t(const struct crossing *x, double t, struct crossing_at out[2]);

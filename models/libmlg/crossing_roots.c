@@ -2,6 +2,7 @@
  * crossing.h */
 #include <lapacke.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "crossing_parts.h"
@@ -175,6 +176,30 @@ int crossings_at_V(const struct crossing *x, double V, struct crossing_at out[])
       n++;
   }
   return n;
+}
+
+static int rising_V(const void *a, const void *b)
+{
+  const double x = ((const struct crossing_at *)a)->V, y = ((const struct crossing_at *)b)->V;
+
+  return (x > y) - (x < y);
+}
+
+static int rising_c(const void *a, const void *b)
+{
+  const double x = ((const struct crossing_at *)a)->c, y = ((const struct crossing_at *)b)->c;
+
+  return (x > y) - (x < y);
+}
+
+void crossings_by_V(struct crossing_at at[], int n)
+{
+  qsort(at, (size_t)n, sizeof *at, rising_V);
+}
+
+void crossings_by_c(struct crossing_at at[], int n)
+{
+  qsort(at, (size_t)n, sizeof *at, rising_c);
 }
 
 /* Takes a root out of p[0..n], n > 1, that is far below all others, of a damper or a speed of

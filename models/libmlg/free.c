@@ -1,15 +1,7 @@
 /* free.c - does this one gear shimmy at this c_d, and at which speeds? */
 #include <math.h>
-#include <stdlib.h>
 
 #include "crossing.h"
-
-static int by_V(const void *a, const void *b)
-{
-  const double x = ((const struct crossing_at *)a)->V, y = ((const struct crossing_at *)b)->V;
-
-  return (x > y) - (x < y);
-}
 
 /* What both can be asked of. */
 static int is_question(const struct libmlg_layout *l, const double slots[], double V_least, double V_top)
@@ -48,7 +40,7 @@ int libmlg_shimmy_speeds(int layout, const double par[], double V_least, double 
   const int crossings = crossings_at_c(&x, c, V_least / x.V_unit, V_top / x.V_unit, at);
   double from = V_least;
 
-  qsort(at, (size_t)crossings, sizeof *at, by_V);
+  crossings_by_V(at, crossings);
   for (int i = 0; i <= crossings; i++) {
     const double to = i < crossings ? at[i].V * x.V_unit : V_top;
 

@@ -393,7 +393,7 @@ int libmlg_diverges(int layout, const double par[]);
 /* The least damping ratio over V_least < V < V_top at the c_d of par[], and where it is.
  * -1 with a positive real eigenvalue.  Exact: no crossing of a lesser ratio is left.
  * Returns 0, LIBMLG_NONE, or LIBMLG_FAILED when LAPACK did. */
-struct libmlg_ratio { double zeta, c_d, V, k_s, b; };
+struct libmlg_ratio { double zeta, c_d, V, k_s, b; }; /* SI units; k_s INFINITY: rigid */
 
 int libmlg_least_ratio(int layout, const double par[], double V_least, double V_top, struct libmlg_ratio *least);
 

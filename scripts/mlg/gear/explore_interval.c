@@ -4,6 +4,7 @@
  * elements by repeated starts over all of them but c_d.
  */
 #include "explorer.h"
+#include "golden.h"
 
 #include <math.h>
 #include <string.h>
@@ -84,32 +85,28 @@ static double widest_at(struct widest *w, double v)
   return w->size;
 }
 
-/* Golden section over v, to this part of its range, from *w, where something is known.  Where neither
- * place has an interval it goes on towards that. */
+struct along { struct widest here, best; int asked; };
+
+static double at_v(double v, void *context)
+{
+  struct along *const a = context;
+
+  widest_at(&a->here, v);
+  a->asked++;
+  if (a->here.size > a->best.size)
+    a->best = a->here;
+  return a->here.size;
+}
+
+/* Golden section over v, to this part of its range, from *w, where something is known. */
 static struct widest between(struct widest w, double left, double right, double part_left, int *asked)
 {
-  const double part = 0.6180339887498949;
-  struct widest a = w, b = w, best = w;
+  struct along a = { w, w, 0 };
+  double v = w.v;
 
-  widest_at(&a, right - part * (right - left));
-  widest_at(&b, left + part * (right - left));
-  for (*asked += 2; right - left > part_left; ++*asked) {
-    const struct widest *const better = a.size >= b.size ? &a : &b;
-    const int neither = !isfinite(a.size) && !isfinite(b.size);
-
-    if (better->size > best.size)
-      best = *better;
-    if (neither ? w.v < 0.5 * (left + right) : a.size >= b.size) {
-      right = b.v;
-      b = a;
-      widest_at(&a, right - part * (right - left));
-    } else {
-      left = a.v;
-      a = b;
-      widest_at(&b, left + part * (right - left));
-    }
-  }
-  return best;
+  golden_largest(at_v, &a, left, right, part_left, &v, w.size);
+  *asked += a.asked;
+  return a.best;
 }
 
 /* The same at a place of k_s and b, for a narrow interval that the nodes over k_s may miss. */
@@ -168,19 +165,13 @@ static struct widest over_b(const struct widest *none, double result[], int *ask
   return best;
 }
 
-/* Closely about the best so far, and at both ends of the range. */
+/* Closely about the best so far. */
 static void refine_b(struct widest *best, int *asked)
 {
-  struct widest here = between(*best, fmax(0., best->v - 0.01), fmin(1., best->v + 0.01), 5e-9, asked);
+  const struct widest here = between(*best, fmax(0., best->v - 0.01), fmin(1., best->v + 0.01), 5e-9, asked);
 
   if (here.size > best->size)
     *best = here;
-  for (int end = 0; end < 2; end++) {
-    widest_at(&here, end);
-    if (here.size > best->size)
-      *best = here;
-  }
-  *asked += 2;
 }
 
 /* --- over further elements -------------------------------------------------------------------------- */
