@@ -142,6 +142,11 @@ sources() {
   printf '%s\n' models/{mlg,elements,network,gear,jacobian}.h models/gear.c "models/$1.c" models/libmlg/{libmlg,layout}.c "${@:2}"
 }
 
+# What boundary points, widest intervals and best damped devices come from, for made
+# shellcheck disable=SC2034 # for who asks
+algebra=(models/linearised.h
+  models/libmlg/{best_damped,best_ratio,boundary_points,climb,crossing,crossing_extrema,crossing_roots,crossing_spin,golden,places,slopes,widest}.c)
+
 # Sets k_s, b, c_lo, c_hi: the gear whose interval c_lo to c_hi of c_d the paper calls best.
 # For LI2 the paper gives b only: k_s is just below the onset of the delta region, where the
 # interval is widest.

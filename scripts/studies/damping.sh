@@ -16,7 +16,7 @@
 of() { # NAME LAYOUT[,LAYOUT...] COMMAND...
   local files=() layout
   for layout in ${2//,/ }; do
-    mapfile -t -O ${#files[@]} files < <(sources "$layout" models/libmlg/{best_ratio,best_damped,climb,golden,places,boundary_points,crossing,crossing_extrema,damping,eigenvalues}.c)
+    mapfile -t -O ${#files[@]} files < <(sources "$layout" "${algebra[@]}" models/libmlg/{damping,eigenvalues}.c)
   done
   made "damping.$1" "${files[@]}" scripts/mlg/gear/{damping,designs}.c -- "${@:3}"
 }

@@ -34,7 +34,7 @@ words() {
 # of NAME LAYOUT COMMAND...: made again when its answer may be another
 of() {
   local files
-  mapfile -t files < <(sources "$2" models/libmlg/{boundary_points,crossing,crossing_extrema,crossing_roots,free,slopes,tolerance,tolerant,loads,widest,places,golden,climb,best_ratio,best_damped}.c)
+  mapfile -t files < <(sources "$2" "${algebra[@]}" models/libmlg/{free,tolerance,tolerant,loads}.c)
   made "design.$1" "${files[@]}" scripts/mlg/gear/{designs,loads,elasticities,tolerance,probability}.c -- "${@:3}"
 }
 

@@ -59,7 +59,7 @@ along() { # DOUBT VALUE...
 of() { # NAME COMMAND...
   local files=() layout
   for layout in $(studied); do
-    mapfile -t -O ${#files[@]} files < <(sources "$layout" models/libmlg/{best_ratio,boundary_points,crossing,crossing_extrema,crossing_roots,crossing_spin,widest}.c models/linearised.h)
+    mapfile -t -O ${#files[@]} files < <(sources "$layout" "${algebra[@]}")
   done
   made "doubts.$1" "${files[@]}" scripts/studies/doubts.sh -- "${@:2}"
 }

@@ -11,13 +11,12 @@
 #         and 22354 of LI2 at b = 300, which is the widest of all.
 . "$(dirname "$(realpath "$0")")/../auto/lib.sh"
 
-search=(models/{mlg,network,linearised}.h
-  models/libmlg/{best_ratio,boundary_points,climb,cma,crossing,crossing_extrema,crossing_roots,device_layout,device_text,free,golden,mode,tolerance,widest}.c
+search=(models/{mlg,network}.h "${algebra[@]}" models/libmlg/{cma,device_layout,device_text,free,mode,tolerance}.c
   scripts/mlg/gear/{explore,explore_interval,explore_load,explore_tolerance,explorer,weakest}.c)
 
-# NUMBER NETWORK PATH LAYOUT of each, as mlg networks has them
+# NUMBER NETWORK LAYOUT of each, as mlg networks has them
 each_network() {
-  mlg networks | awk -F, '/^[0-9]/ { print $1, $2, $4, $7 == "" ? "-" : $7 }'
+  mlg networks | awk -F, '/^[0-9]/ { print $1, $2, $7 == "" ? "-" : $7 }'
 }
 
 runs_width() {
@@ -158,15 +157,13 @@ runs_inertance() {
 
 # Rows of one quantity by falling value, with rank, network, layout and static stiffness
 ranked() { # QUANTITY
-  local number network path layout
-  while read -r number network path layout; do
-    awk -F, -v OFS=, -v quantity="$1" -v number="$number" -v network="$network" -v path="$path" -v layout="${layout#-}" '
+  local number network layout
+  while read -r number network layout; do
+    awk -F, -v OFS=, -v quantity="$1" -v number="$number" -v network="$network" -v layout="${layout#-}" '
       $1 == quantity {
-        k_d = 1.09e5
-        k = path == "k_d" ? k_d : path == "k_s" ? $3 : path == "k_d|k_s" ? k_d + $3 : k_d * $3 / (k_d + $3)
         print number, network, layout, sprintf("%.7g", $2), $3 == "inf" ? "" : sprintf("%.7g", $3),
           network ~ /(^|[^_a-z])b($|[^_a-z])/ ? sprintf("%.6g", $4) : "", sprintf("%.7g", $5), sprintf("%.7g", $6),
-          sprintf("%.6g", k), $7, $8, ($7 > 1 || ($8 == 1 && quantity ~ /width|ratio/) ? "yes" : "no") }' build/tables/networks.{width.,}"$number.csv"
+          sprintf("%.6g", $10), $7, $8, ($7 > 1 || ($8 == 1 && quantity ~ /width|ratio/) ? "yes" : "no") }' build/tables/networks.{width.,}"$number.csv"
   done < <(each_network) | sort -t, -k4,4gr -k1,1n | awk -v OFS=, -v quantity="$1" '{ print quantity, NR, $0 }'
 }
 

@@ -53,7 +53,7 @@ changed() {
   done
 }
 
-runs_gears() { made passive.gears "${delta[@]}" -- changed; }
+runs_gears() { made passive.gears "${delta[@]}" "${algebra[@]}" -- changed; }
 
 tables() {
   local F_z of
