@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include "best_ratio.h"
+#include "bracket.h"
 #include "linearised.h"
 
 enum { STEPS = 200 };
@@ -111,31 +112,23 @@ static double inside(double lo, double hi, double part)
 static double meeting(const struct crossing *x, const struct libmlg_interval *i)
 {
   const double V_lo = i->lo.V / x->V_unit, V_hi = i->hi.V / x->V_unit;
-  double lo = i->lo.c_d / x->c_unit, hi = i->hi.c_d / x->c_unit, at_lo, at_hi;
+  struct bracket b = { .lo = i->lo.c_d / x->c_unit, .hi = i->hi.c_d / x->c_unit };
 
-  if (!(lo > 0.) || !isfinite(hi))
-    return inside(lo, hi, 0.5);
-  at_lo = crossing_ratio(x, V_lo, lo) - crossing_ratio(x, V_hi, lo);
-  at_hi = crossing_ratio(x, V_lo, hi) - crossing_ratio(x, V_hi, hi);
-  if (!(at_lo < 0.) || !(at_hi > 0.))
-    return inside(lo, hi, 0.5);
-  for (int k = 0; k < 12 && hi > lo * (1. + 1e-13); k++) { /* regula falsi, Illinois */
-    const double c = lo + (hi - lo) * at_lo / (at_lo - at_hi);
+  if (!(b.lo > 0.) || !isfinite(b.hi))
+    return inside(b.lo, b.hi, 0.5);
+  b.at_lo = crossing_ratio(x, V_lo, b.lo) - crossing_ratio(x, V_hi, b.lo);
+  b.at_hi = crossing_ratio(x, V_lo, b.hi) - crossing_ratio(x, V_hi, b.hi);
+  if (!(b.at_lo < 0.) || !(b.at_hi > 0.))
+    return inside(b.lo, b.hi, 0.5);
+  for (int k = 0; k < 12 && b.hi > b.lo * (1. + 1e-13); k++) {
+    const double c = bracket_secant(&b);
     const double here = crossing_ratio(x, V_lo, c) - crossing_ratio(x, V_hi, c);
 
-    if (!(c > lo && c < hi) || here == 0.)
+    if (!(c > b.lo && c < b.hi) || here == 0.)
       return c;
-    if (here < 0.) {
-      lo = c;
-      at_lo = here;
-      at_hi *= 0.5;
-    } else {
-      hi = c;
-      at_hi = here;
-      at_lo *= 0.5;
-    }
+    bracket_narrow(&b, c, here);
   }
-  return lo + (hi - lo) * 0.5;
+  return b.lo + (b.hi - b.lo) * 0.5;
 }
 
 /* The intervals of a ratio or, where what is found there contradicts itself, of a slightly larger

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "best_damped.h"
+#include "bracket.h"
 #include "layout.h"
 #include "watch.h"
 
@@ -36,34 +37,27 @@ static double ratio_at(struct largest *s, double F_z, struct libmlg_ratio *desig
 static double follow(struct largest *s, double F_lo, double F_hi, struct libmlg_ratio *design)
 {
   struct libmlg_ratio at = *design;
-  double zeta_lo = ratio_at(s, F_lo, design), zeta_hi = ratio_at(s, F_hi, &at);
+  struct bracket b = { .lo = F_lo, .hi = F_hi, .at_lo = ratio_at(s, F_lo, design), .at_hi = ratio_at(s, F_hi, &at) };
 
-  if (zeta_hi > 0.) {
+  if (b.at_hi > 0.) {
     *design = at;
     return F_hi;
   }
-  for (int i = 0; i < ROUNDS && F_hi > F_lo * (1. + 1e-11); i++) { /* regula falsi, Illinois */
-    const double secant = F_lo + (F_hi - F_lo) * zeta_lo / (zeta_lo - zeta_hi);
-    const double F_z = secant > F_lo && secant < F_hi ? secant : 0.5 * (F_lo + F_hi);
+  for (int i = 0; i < ROUNDS && b.hi > b.lo * (1. + 1e-11); i++) {
+    const double secant = bracket_secant(&b);
+    const double F_z = secant > b.lo && secant < b.hi ? secant : 0.5 * (b.lo + b.hi);
 
     watch_tell("largest load, step", i, ROUNDS);
     at = *design;
     const double zeta = ratio_at(s, F_z, &at);
 
-    if (zeta > 0.) {
-      F_lo = F_z;
-      zeta_lo = zeta;
-      zeta_hi *= 0.5;
+    if (zeta > 0.)
       *design = at;
-    } else {
-      F_hi = F_z;
-      zeta_hi = zeta;
-      zeta_lo *= 0.5;
-    }
+    bracket_narrow(&b, F_z, zeta);
     if (fabs(zeta) < 1e-14)
       break;
   }
-  return F_lo;
+  return b.lo;
 }
 
 int libmlg_largest_load(int layout, const double par[], double F_most, double b_least, double b_most, double V_least,

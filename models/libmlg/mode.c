@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "best_ratio.h"
 #include "crossing.h"
 
 /* F(s) at one V and c, all in units of struct crossing, and its derivative. */
@@ -100,7 +101,7 @@ int mode_follow(int layout, const double par[], double V_least, double V_top, st
 {
   double c;
   const struct crossing x = equation(layout, par, &c);
-  const double lo = fmax(V_least, 1e-9 * V_top) / x.V_unit, hi = V_top / x.V_unit;
+  const double lo = best_ratio_V_least(V_least, V_top) / x.V_unit, hi = V_top / x.V_unit;
   struct here at = { .s = mode->s / x.omega_unit };
 
   if (!move(&x, c, mode->V / x.V_unit, &at))
