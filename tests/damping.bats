@@ -160,13 +160,13 @@ auto_boundary() { # RUN N ZETA
   done
 }
 
-# Both answered wrongly once: the first contradicted itself where two modes share the ratio to rounding,
-# the second ended at c_d = 0.38, where Newton's method gave a boundary point up.
 @test "a best k_s that is rigid is inf" {
   [ "$(cell k_s damping l2 best I_p=5)" = inf ]
   [ "$(cell k_s damping l2 best gear=constants/gear.somieski)" = inf ]
 }
 
+# Both answered wrongly once: the first contradicted itself where two modes share the ratio to rounding,
+# the second ended at c_d = 0.38, where Newton's method gave a boundary point up.
 @test "the best c_d has an answer at rounded k_s and b, and no damper may be best" {
   local best words
   for words in 'li2 k_s=729e3 b=60' 'li2 k_s=1173e3 b=97' 'li4 k_s=1173e3 b=200'; do
